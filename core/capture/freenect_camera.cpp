@@ -154,7 +154,7 @@ Result<void> FreenectCamera::start(const std::string& name) {
   first_message.clear();
   api().set_depth_callback(device_, receiveDepth);
   api().set_video_callback(device_, receiveColor);
-  is_started_ = true;  // stop() must end a stream even if only one started
+  is_started_ = true;  // set first, because a failure below may leave one stream started
   if (api().set_depth_mode(device_, depth) < 0 || api().set_video_mode(device_, color) < 0 ||
       api().start_depth(device_) < 0 || api().start_video(device_) < 0) {
     return fail(name + " cannot be started: " + reason() + ".",

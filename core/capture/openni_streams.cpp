@@ -99,11 +99,12 @@ OpenNiStreams::~OpenNiStreams() {
   }
   if (is_virtual || (is_open && isRecording())) {
     // The virtual camera's threads sleep for a frame's time and then use the stream even if it was stopped or
-    // destroyed.
+    // destroyed. A recording's thread walks the list of streams without a lock: continuously at the end of
+    // the file, occasionally after a stop. The delay lets these threads become idle.
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   if (is_virtual) {
-    // Its streams still stay alive until the process ends.
+    // The delay does not always suffice, so its streams stay alive until the process ends.
     static std::mutex mutex;
     static Handles* kept = nullptr;  // never destroyed
     const std::scoped_lock lock(mutex);

@@ -8,11 +8,11 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kDeviations = 5;   // of a sum of waves, from its lowest to its highest
+constexpr double kDeviations = 5;   // range of a sum of waves in standard deviations
 constexpr double kSteepest = 0.16;  // root mean square of the slope
-constexpr double kGrazing = 0.15;   // flatter rays are taken as if they came so steep
+constexpr double kGrazing = 0.15;   // minimum steepness of rays
 
-/// sin of any angle to 0.1 %: a parabola, bent towards the sine.
+/// sin to 0.1 %: a corrected parabola.
 float quickSine(float angle) {
   const float turns = angle * static_cast<float>(0.5 / std::numbers::pi);
   const float x = 2 * (turns - static_cast<float>(floorInt(turns + 0.5F)));  // -1..1
@@ -64,7 +64,7 @@ ShapeHit BumpyShape::intersect(const Ray& ray, double t_max) const {
   if (hit.t == kNoHit) {
     return hit;
   }
-  // Below the tangent plane, the ray sinks by `steep` a unit of t, until it is as deep as the surface there.
+  // The ray descends by `steep` per unit of t below the tangent plane until it reaches the surface's depth.
   const Vec3 normal = base_->describe(ray.at(hit.t), hit.part).normal;
   const double steep = std::max(std::abs(ray.direction.dot(normal)), kGrazing * ray.direction.norm());
   double deeper = 0;

@@ -6,10 +6,9 @@
 
 namespace scantrove::synthetic {
 
-/// A skin of gentle bumps, as paint, cloth and crumpled cardboard have: the solid's surface lies a little
-/// below that of `base`, measured along its normal, in waves around `wavelength_m`; from top to bottom about
-/// `bumps_m`. The same from every direction but where the surface is seen at a grazing angle and within
-/// `bumps_m` of sharp edges.
+/// Adds gentle bumps like those of paint, cloth and crumpled cardboard. The surface lies slightly below that
+/// of `base`, measured along its normal, in waves around `wavelength_m`, about `bumps_m` from peak to valley.
+/// It looks the same from all directions, except at grazing angles and within `bumps_m` of sharp edges.
 class BumpyShape final : public Shape {
  public:
   BumpyShape(std::unique_ptr<Shape> base, double bumps_m, double wavelength_m, std::uint32_t seed);
@@ -31,8 +30,8 @@ class BumpyShape final : public Shape {
   std::array<Wave, kWaves> waves_;
 };
 
-/// The same scene with bumps of 2 - 5 mm, 3 - 13 cm long, on walls, floor and all that is thick enough, other
-/// ones on each thing; what is turned (cans, bottles, vases) stays smooth.
+/// The scene with bumps of 2 - 5 mm, 3 - 13 cm long, on walls, floor and all thick enough parts; each thing
+/// has its own. Turned shapes (cans, bottles, vases) stay smooth.
 [[nodiscard]] SyntheticScene makeBumpy(SyntheticScene scene, std::uint32_t seed);
 
 }  // namespace scantrove::synthetic

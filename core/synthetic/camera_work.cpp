@@ -14,7 +14,7 @@ constexpr double kSpeed = 0.30;                          // m/s
 constexpr double kTurn = 20.0 / 180 * std::numbers::pi;  // rad/s
 constexpr double kClearance_m = 0.3;
 constexpr double kSweepClearance_m = 0.2;
-constexpr double kNearOnAverage = 0.12;  // of the image
+constexpr double kNearOnAverage = 0.12;  // share of the image
 
 bool isFree(const Layout& layout, const Vec3& eye, double clearance_m) {
   return std::all_of(layout.filled().begin(), layout.filled().end(), [&](const Layout::Filled& filled) {
@@ -22,12 +22,12 @@ bool isFree(const Layout& layout, const Vec3& eye, double clearance_m) {
   });
 }
 
-/// What a 640 x 480 camera sees, by 48 x 36 rays.
+/// View statistics of a 640 x 480 camera from 48 x 36 rays.
 struct ViewSummary {
-  double readings = 0;  ///< part of the image with depth
-  double too_near = 0;  ///< part nearer than 0.55 m
-  double near = 0;      ///< part nearer than 0.9 m
-  double middle_m = 0;  ///< depth of the middle, 0 = none
+  double readings = 0;  ///< share of the image with depth
+  double too_near = 0;  ///< share nearer than 0.55 m
+  double near = 0;      ///< share nearer than 0.9 m
+  double middle_m = 0;  ///< depth at the image centre, 0 = none
   double spread = 0;    ///< smallest mean squared cosine between the normals and any direction
   std::ptrdiff_t things = 0;
 };
@@ -82,7 +82,7 @@ bool showsEnough(const ViewSummary& seen) {
 }  // namespace
 
 CameraPath alongAtHandsPace(std::vector<Gaze> points) {
-  // With both ends twice, the spline is at rest where it turns back.
+  // With both end points doubled, the spline rests where it reverses.
   points.insert(points.begin(), points.front());
   points.push_back(points.back());
   const auto path = [points](double period_s) {

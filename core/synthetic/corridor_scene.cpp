@@ -15,9 +15,9 @@ constexpr double kWay_m = 60;
 constexpr double kPace = 0.75;  // m/s
 constexpr double kHalfWidth_m = 1.2;
 constexpr double kBay_m = 1.5;     // between two things of one side
-constexpr double kOverhang_m = 5;  // beyond the ends of the way, so that there is always something ahead
+constexpr double kOverhang_m = 5;  // beyond both ends of the path, so that the view ahead is never empty
 
-/// A place of the corridor and what is drawn for it: `along` from its start, side -1 or 1, numbers in 0..1.
+/// A corridor position and its random numbers in 0..1: `along` from its start, side -1 or 1.
 struct Bay {
   SyntheticScene& scene;
   double along;
@@ -26,7 +26,7 @@ struct Bay {
   std::uint32_t seed;
 
   [[nodiscard]] double draw(std::uint32_t what) const { return hashUniform(hashBits(what, seed, 5, 77)); }
-  /// So far into the corridor from the bay's wall.
+  /// Distance from the bay's wall into the corridor.
   [[nodiscard]] double into(double distance) const { return side * (kHalfWidth_m - distance); }
   [[nodiscard]] std::string name(const std::string& thing) const {
     return thing + " " + std::to_string(number) + (side < 0 ? ", right" : ", left");
@@ -104,7 +104,7 @@ SyntheticScene makeCorridor() {
   return scene;
 }
 
-/// Ahead, and from side to side.
+/// Looks ahead and from side to side.
 Gaze alongCorridor(double t) {
   const double x = std::min(kPace * t, kWay_m);
   const double yaw = 0.75 * std::sin(2 * std::numbers::pi * t / 14);

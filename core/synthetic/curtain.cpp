@@ -6,7 +6,8 @@
 
 namespace scantrove::synthetic {
 namespace {
-constexpr double kSecondWave = 0.35;  // of the first one's height, 1.62 times as long: folds differ
+constexpr double kSecondWave =
+    0.35;  // relative height of the second wave, 1.62 times as long, so that folds differ
 constexpr double kSecondLength = 1.62;
 }  // namespace
 

@@ -3,8 +3,8 @@
 
 namespace scantrove::synthetic {
 
-/// A hanging cloth that fills `size` (x, y, z) around the origin: a sheet of `thickness` that waves in y
-/// along x, `folds` times. Sphere traced to a micrometre.
+/// A hanging cloth of `size` (x, y, z) around the origin: a sheet of `thickness` with `folds` waves in y
+/// along x. Sphere traced to a micrometre.
 class Curtain final : public Shape {
  public:
   Curtain(const Vec3& size, double thickness, double folds);
@@ -20,7 +20,7 @@ class Curtain final : public Shape {
   double half_thickness_;
   double amplitude_;
   double per_meter_;  // radians
-  double steepest_;   // length of the normal (slope, 1) at most
+  double steepest_;   // maximum length of the normal (slope, 1)
 };
 
 }  // namespace scantrove::synthetic

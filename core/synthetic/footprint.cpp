@@ -26,13 +26,13 @@ std::array<Vector2d, 4> corners(const Footprint& f) {
   return result;
 }
 
-/// How far outside the rectangle (without its rounding) a point lies; 0 inside.
+/// Distance of a point from the rectangle (without rounding); 0 inside.
 double outside(const Footprint& f, const Vector2d& point) {
   const Vector2d local = turned(point - f.center, -f.yaw_deg).cwiseAbs() - f.half;
   return local.cwiseMax(0.0).norm();
 }
 
-/// An axis of `a` keeps the two rectangles apart.
+/// Whether an axis of `a` separates the two rectangles.
 bool separatedBy(const Footprint& a, const std::array<Vector2d, 4>& b) {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
   Vector2d high = -low;
@@ -56,7 +56,8 @@ double distance(const Footprint& a, const Footprint& b) {
   if (!separatedBy(a, corners_b) && !separatedBy(b, corners_a)) {
     return -std::numeric_limits<double>::infinity();
   }
-  double nearest = std::numeric_limits<double>::infinity();  // between two rectangles: at a corner of one
+  double nearest = std::numeric_limits<double>::infinity();  // the minimum distance of two rectangles is at a
+                                                             // corner of one
   for (std::size_t i = 0; i < 4; ++i) {
     nearest = std::min({nearest, outside(a, corners_b[i]), outside(b, corners_a[i])});
   }

@@ -3,23 +3,23 @@
 
 namespace scantrove::synthetic {
 
-/// A rectangle on the floor, grown by `round` on all sides: what a thing covers from above. Metres.
+/// The area a thing covers from above: a rectangle on the floor, grown by `round` on all sides. Metres.
 struct Footprint {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Vector2d half = Eigen::Vector2d::Zero();  ///< along its own x and y
   double yaw_deg = 0;
   double round = 0;
 
-  /// Seen from the frame that `(x, y, yaw)` places it in.
+  /// Transformed by the pose `(x, y, yaw)`.
   [[nodiscard]] Footprint placedAt(double x, double y, double yaw_deg) const;
 };
 
-/// The way between two footprints; negative where they overlap.
+/// Distance between two footprints; negative where they overlap.
 [[nodiscard]] double distance(const Footprint& a, const Footprint& b);
-/// `inner` lies within `outer`, whose rounding is left out.
+/// Whether `inner` lies within `outer`, ignoring its rounding.
 [[nodiscard]] bool contains(const Footprint& outer, const Footprint& inner);
 
-/// A column of space that something fills.
+/// An occupied vertical column of space.
 struct Volume {
   Footprint base;
   double z_low = 0, z_high = 0;
@@ -33,7 +33,7 @@ struct Volume {
   }
 };
 
-/// From a point to a volume; 0 inside.
+/// Distance from a point to a volume; 0 inside.
 [[nodiscard]] double distance(const Eigen::Vector3d& point, const Volume& volume);
 
 }  // namespace scantrove::synthetic

@@ -5,8 +5,8 @@
 
 namespace scantrove::synthetic {
 
-/// Draws numbers one after the other; the same on every computer. Draw into variables or braces, never within
-/// the parentheses of one call: their order is the compiler's.
+/// A reproducible sequence of random numbers, the same on every computer. Draw into variables or braces,
+/// never within the arguments of one call, whose order the compiler chooses.
 class HashStream {
  public:
   explicit HashStream(std::uint32_t seed, std::uint32_t purpose = 0) : seed_(seed), purpose_(purpose) {}

@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::uint32_t kGaussSteps = 4096;
 
-/// Standard normal from 12 random bits: the quantiles of the middle of each of 4096 equal slices.
+/// Standard normal from 12 random bits: quantiles of the centres of 4096 equal slices.
 float gauss(std::uint32_t bits) {
   static const std::array<float, kGaussSteps> kQuantile = [] {
     std::array<float, kGaussSteps> table{};
-    double low = -6;  // bisect the normal distribution function, going upwards
+    double low = -6;  // bisect the normal distribution function in ascending order
     for (std::uint32_t i = 0; i < kGaussSteps; ++i) {
       const double target = (i + 0.5) / kGaussSteps;
       double a = low;
@@ -34,7 +34,7 @@ float gauss(std::uint32_t bits) {
   return kQuantile[bits % kGaussSteps];
 }
 
-/// Two depths that belong to different surfaces.
+/// Whether two depths belong to different surfaces.
 bool isJump(float a, float b) { return std::abs(a - b) > 0.015F + 0.015F * std::min(a, b); }
 
 }  // namespace
@@ -55,8 +55,8 @@ cv::Mat projectorShadow(const cv::Mat& z_m, const Intrinsics& K, const KinectMod
       if (z[u] <= 0) {
         continue;
       }
-      // A surface covers the columns from this pixel's to its neighbour's; a lone pixel half a column each
-      // side.
+      // A surface covers the columns from this pixel's to its neighbour's; an isolated pixel covers half a
+      // column on each side.
       const bool joined = u + 1 < z_m.cols && z[u + 1] > 0 && !isJump(z[u], z[u + 1]);
       const float from = joined ? std::min(column(u), column(u + 1)) : column(u) - 0.5F;
       const float to = joined ? std::max(column(u), column(u + 1)) : column(u) + 0.5F;
@@ -97,7 +97,7 @@ cv::Mat measureDepth(const cv::Mat& z_m, const cv::Mat& incidence, const Intrins
       const std::uint32_t bits =
           hashBits(static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v), frame, seed);
       const std::uint32_t more = hashBits(bits, frame, 1, seed);
-      // Lateral noise: near an edge, the neighbour may be seen instead.
+      // Lateral noise: near an edge, the pixel may show its neighbour.
       const int du = floorInt(lateral * gauss(bits) + 0.5F);
       const int dv = floorInt(lateral * gauss(bits >> 12) + 0.5F);
       const int nu = std::clamp(u + du, 0, z_m.cols - 1);
@@ -109,7 +109,7 @@ cv::Mat measureDepth(const cv::Mat& z_m, const cv::Mat& incidence, const Intrins
         continue;
       }
       const float z = at_edge ? there : true_z[u];
-      // Grazing light: holes in patches of a few pixels.
+      // Grazing incidence: holes in patches of a few pixels.
       const float cosine = incidence.at<float>(v, u);
       if (cosine < grazing) {
         const float left = (cosine - grazing / 3) / (grazing * 2 / 3);

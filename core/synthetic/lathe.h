@@ -5,9 +5,9 @@
 
 namespace scantrove::synthetic {
 
-/// A solid of revolution around the z axis: the polyline of (radius, z) points turned round. Walk the profile
-/// so that the material lies on its left (from the bottom's centre outwards, up, and back in). Every piece is
-/// a cone or a disc and is met exactly; shading normals are smoothed where neighbouring pieces bend by less
+/// A solid of revolution: the polyline of (radius, z) points rotated around the z axis. Order the profile
+/// with the material on its left (from the bottom's centre outwards, up, and back in). Every piece is a cone
+/// or a disc with exact intersections. Shading normals are smoothed where neighbouring pieces bend by less
 /// than 50 degrees.
 class Lathe final : public Shape {
  public:
@@ -37,14 +37,14 @@ class Lathe final : public Shape {
 void appendArc(Lathe::Profile& profile, Eigen::Vector2d center, double radius, double from_deg, double to_deg,
                int steps);
 
-/// A closed can from z = 0 to `height` with its rims rounded.
+/// A closed can from z = 0 to `height` with rounded rims.
 [[nodiscard]] Lathe::Profile canProfile(double bottom_radius, double top_radius, double height,
                                         double rim = 0.002);
 
-/// A hollow vessel: the outer wall as given from the foot up, walls of `wall` metres, rounded rim.
+/// A hollow vessel: the given outer wall from the foot up, walls of `wall` metres, rounded rim.
 [[nodiscard]] Lathe::Profile vesselProfile(const Lathe::Profile& outer, double wall);
 
-/// A smooth curve through the given (radius, z) points (Catmull-Rom), `steps` chords for each of its spans.
+/// A smooth curve through the given (radius, z) points (Catmull-Rom), `steps` chords for each span.
 [[nodiscard]] Lathe::Profile smoothProfile(const Lathe::Profile& knots, int steps);
 
 }  // namespace scantrove::synthetic

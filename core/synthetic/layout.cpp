@@ -10,7 +10,7 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kContact_m = 1e-5;  // nearer than this is touching
+constexpr double kContact_m = 1e-5;  // touching distance
 
 std::vector<Volume> placedAt(const std::vector<Volume>& volumes, double x, double y, double z,
                              double yaw_deg) {
@@ -20,7 +20,7 @@ std::vector<Volume> placedAt(const std::vector<Volume>& volumes, double x, doubl
   return placed;
 }
 
-/// Most of what touches the stand lies on it: a sixth may stick out.
+/// Most of the contact area lies on the stand; a sixth may overhang.
 bool rests(const Stand& stand, const std::vector<Volume>& volumes) {
   return std::all_of(volumes.begin(), volumes.end(), [&](const Volume& volume) {
     Footprint core = volume.base;

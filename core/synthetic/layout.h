@@ -5,18 +5,18 @@
 
 namespace scantrove::synthetic {
 
-/// A flat upright face that things can lean on: seen from before it, y points into it.
+/// A flat vertical face that things can lean on; viewed from the front, y points into it.
 struct Face {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< the middle of its foot
   double yaw_deg = 0;
   double length_m = 0;
-  double z = 0;  ///< of its foot, where what leans stands
+  double z = 0;  ///< height of its foot, where leaning things stand
   double height_m = 0;
-  double edge_m = 0;  ///< its upper edge is rounded so much
+  double edge_m = 0;  ///< rounding of its upper edge
   std::uint16_t instance = 0;
 };
 
-/// A scene in which things are put side by side, on, in and against one another, and never into each other.
+/// Places things in a scene side by side, on, in and against one another, without intersections.
 class Layout {
  public:
   struct Filled {
@@ -24,31 +24,32 @@ class Layout {
     std::uint16_t instance;
   };
 
-  /// Puts a thing there if nothing is in the way (`beside`: an instance that may be). False: it is.
+  /// Places a thing at a given pose if it is free (`beside`: an instance it may touch). False: it is
+  /// occupied.
   bool put(Thing& thing, double x, double y, double z, double yaw_deg, std::uint16_t beside = 0);
-  /// Puts it somewhere on the stand, at times up to what is already there. False: no place was found.
+  /// Places it somewhere on the stand, sometimes in contact with other things. False: no free position.
   bool placeOn(HashStream& random, const Stand& stand, Thing& thing);
   /// Leans a board or a pole on the face.
   bool lean(HashStream& random, const Face& face);
   /// Upright books side by side, touching, from left to right.
   void fillWithBooks(HashStream& random, const Stand& stand, int count);
-  /// Things of all kinds on a stand, some stacked, some in a tray or box.
+  /// Places things of all kinds on a stand, some stacked, some in a tray or box.
   void clutter(HashStream& random, const Stand& stand, int count);
-  /// `count` things on one another, from a stand that is already there.
+  /// Stacks `count` things on an existing stand.
   void stack(HashStream& random, const Stand& stand, int count);
-  /// Space that is taken, of an instance that was added to the scene directly (a wall).
+  /// Marks space as occupied by an instance that was added to the scene directly (a wall).
   void fill(const Volume& volume, std::uint16_t instance) { filled_.push_back({volume, instance}); }
   void addFace(const Face& face) { faces_.push_back(face); }
 
   SyntheticScene scene;
   [[nodiscard]] const std::vector<Filled>& filled() const { return filled_; }
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
-  /// Those of the thing that was put last.
+  /// Stands of the last placed thing.
   [[nodiscard]] const std::vector<Stand>& newStands() const { return new_stands_; }
 
  private:
   [[nodiscard]] double clearance(const std::vector<Volume>& volumes, std::uint16_t beside) const;
-  /// The thing's way from `from` towards one of its neighbours, as far as it goes.
+  /// Position of the thing after moving from `from` towards a neighbour as far as possible.
   [[nodiscard]] Eigen::Vector2d slideUpTo(HashStream& random, const Stand& stand, const Thing& thing,
                                           const Eigen::Vector2d& from, double yaw_deg) const;
   [[nodiscard]] std::string freeName(const std::string& name) const;

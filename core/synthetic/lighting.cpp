@@ -10,11 +10,11 @@
 
 namespace scantrove::synthetic {
 namespace {
-constexpr double kLift_m = 0.006;  // off the surface, so that it does not shade itself
+constexpr double kLift_m = 0.006;  // offset against self-shadowing
 constexpr float kInnerRing_m = 0.025F;
 constexpr float kOuterRing_m = 0.07F;
 constexpr float kFar = 1e6F;
-constexpr double kMapHeight_m = 6;  // the maps look from this far
+constexpr double kMapHeight_m = 6;  // height of the maps' viewpoint
 }  // namespace
 
 Lighting::Lighting(const SyntheticScene& scene, const Vec3& center, double radius)
@@ -88,7 +88,7 @@ float Lighting::sunlit(const Vec3& point) const {
   if (z <= first_lit_.at(x0, y0)) {
     return 1;
   }
-  // 4 x 4 comparisons, the outer ones weighted by how far the 3 x 3 window reaches into them.
+  // 4 x 4 comparisons; the outer ones are weighted by their overlap with the 3 x 3 window.
   const float fx = static_cast<float>(x) - static_cast<float>(x0);
   const float fy = static_cast<float>(y) - static_cast<float>(y0);
   const float weight_x[4] = {1 - fx, 1, 1, fx};

@@ -7,8 +7,8 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kMaxCommon = 0.5, kSecond = 0.8;  // of things, up to the first and second tint
-constexpr double kOtherSkin = 0.2;                 // of parts, that differ in tint from their thing
+constexpr double kMaxCommon = 0.5, kSecond = 0.8;  // shares of things, up to the first and second tint
+constexpr double kOtherSkin = 0.2;                 // share of parts whose tint differs from their thing
 
 std::size_t pickTint(HashStream& random) {
   const double part = random.uniform(0, 1);

@@ -3,9 +3,8 @@
 
 namespace scantrove::synthetic {
 
-/// The same scene in three tints that walls, furniture and things share, so that what touches often looks
-/// alike: where colour does not tell one thing from the next, as in many real rooms. A thing keeps its
-/// pattern, in shades of its tint.
+/// The scene in three tints that walls, furniture and things share. As in many real rooms, colour then often
+/// fails to separate touching things. A thing keeps its pattern, in shades of its tint.
 [[nodiscard]] SyntheticScene makeLowContrast(SyntheticScene scene, std::uint32_t seed);
 
 }  // namespace scantrove::synthetic

@@ -35,10 +35,10 @@ float noise(float x, float y, std::uint32_t seed) {
   return 2 * (top + (bottom - top) * fy) - 1;
 }
 
-/// 1 where detail of size `detail_m` is resolved, 0 where a pixel is larger.
+/// 1 where a pixel resolves detail of size `detail_m`, 0 where it is larger.
 float detail(float detail_m, float footprint_m) { return 1 - smoothstep(0.4F, 1.2F, footprint_m / detail_m); }
 
-/// Noise with features of `size_m` that fades, and costs nothing, where a pixel is larger.
+/// Noise with features of `size_m` that fades where a pixel is larger, at no cost there.
 float fineNoise(float x, float y, std::uint32_t seed, float size_m, float footprint_m) {
   const float visible = detail(size_m, footprint_m);
   return visible > 0 ? visible * noise(x, y, seed) : 0.0F;

@@ -13,16 +13,16 @@ namespace scantrove::synthetic {
 namespace {
 
 constexpr int kMovingFrames = 420;
-constexpr int kRoomsToTry = 30;   // tried until everything finds its place
-constexpr double kLane_m = -0.5;  // where the walker walks, along x
+constexpr int kRoomsToTry = 30;   // rooms to try until everything fits
+constexpr double kLane_m = -0.5;  // the person's path along x
 constexpr double kOutOfSight_m = 2.0;
 constexpr double kMugHeld_m = 0.05;  // above the mug's foot
 constexpr double kMugLifted_m = 0.16;
 
-/// What of a scene moves, and from where.
+/// The animated parts of a scene and their initial poses.
 struct Stage {
   Layout layout;
-  double side = 1;  ///< the chair is on this side of the table, and the arm comes from the other
+  double side = 1;  ///< side of the table with the chair; the arm comes from the other
   Vec3 mug_from, mug_to;
   std::size_t mug = 0, mug_parts = 0;
   Vec3 chair_at;
@@ -48,14 +48,14 @@ Thing makePlainChair(HashStream& random) {
   return withoutShadow(Thing(std::move(scene)));
 }
 
-/// Back wall, table with things and the mug, and the chair beside it. False: something found no place.
+/// Builds back wall, table with things and the mug, and the chair beside it. False: something did not fit.
 bool buildStage(HashStream& random, Stage& stage) {
   Layout& layout = stage.layout;
   stage.side = random.sign();
   const Shell shell{5.2, random.uniform(2.6, 2.9)};
   addRandomFloor(random, layout, shell);
   addRandomWall(random, layout, shell, 0);
-  layout.fill({{{0, kLane_m}, {kOutOfSight_m, 0.32}, 0, 0}, 0, 2}, 0);  // the walker's way
+  layout.fill({{{0, kLane_m}, {kOutOfSight_m, 0.32}, 0, 0}, 0, 2}, 0);  // the person's path
 
   const Vec3 size{random.uniform(1.1, 1.4), random.uniform(0.65, 0.8), random.uniform(0.68, 0.76)};
   const double table_y = kLane_m + 0.36 + size.y() / 2 + random.uniform(0, 0.06);
@@ -63,7 +63,7 @@ bool buildStage(HashStream& random, Stage& stage) {
   if (!layout.put(table, 0, table_y, 0, 0)) return false;
   const Stand top = layout.newStands().front();
 
-  // The mug goes along the table's front edge, from the arm's side towards the middle.
+  // The mug moves along the table's front edge, from the arm's side towards the middle.
   const double front = top.area.center.y() - top.area.half.y() + 0.08;
   const double first = -stage.side * (top.area.half.x() - 0.1);
   const double second = first + stage.side * random.uniform(0.35, 0.5);
@@ -81,7 +81,7 @@ bool buildStage(HashStream& random, Stage& stage) {
   stage.chair = layout.scene.parts().size();
   if (!layout.put(chair, stage.chair_at.x(), stage.chair_at.y(), 0, random.uniform(-20, 20))) return false;
   stage.chair_parts = layout.scene.parts().size() - stage.chair;
-  // Where it is pushed to.
+  // Target of the pushed chair.
   layout.fill({{stage.chair_at.head<2>() + Eigen::Vector2d(stage.side * 0.25, 0), {0.55, 0.3}, 0, 0}, 0, 1},
               0);
 
@@ -96,7 +96,7 @@ bool buildStage(HashStream& random, Stage& stage) {
 }
 
 void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& set) {
-  // Past the table, and later back again.
+  // Past the table and back.
   const double speed = random.uniform(0.6, 0.75);
   const double way_s = 2 * kOutOfSight_m / speed;
   const double first_s = random.uniform(0.8, 1.4);
@@ -108,7 +108,7 @@ void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& set) {
   const double take_s = random.uniform(5.0, 5.8);
   const Vec3 held(0, 0, kMugHeld_m);
   const Vec3 lifted(0, 0, kMugHeld_m + kMugLifted_m);
-  const Vec3 beside(-stage.side * 0.085, 0, 0);  // the hand is at the mug's side
+  const Vec3 beside(-stage.side * 0.085, 0, 0);  // the hand holds the mug's side
   const Vec3 away = stage.mug_from + Vec3(-stage.side * 1.6, 0, 0.35);
   addArm(random, set, -stage.side,
          {{take_s - 1.2, away},
@@ -135,7 +135,7 @@ void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& set) {
   set.animated_parts.push_back({stage.chair, stage.chair_parts, goes(chair_way)});
 }
 
-/// Before the walker's lane, looking over the table: from the chair to the other side and back.
+/// In front of the person's lane, over the table: from the chair to the other side and back.
 CameraPath makePathOverTable(HashStream& random, double side) {
   const double away = random.uniform(-1.4, -1.3);
   const double height = random.uniform(1.2, 1.35);

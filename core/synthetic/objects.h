@@ -5,18 +5,18 @@
 
 namespace scantrove::synthetic {
 
-/// Where an object stands: the middle of its foot, turned by `yaw_deg` around the vertical.
+/// Pose of an object: the middle of its foot, rotated by `yaw_deg` around the vertical.
 struct Place {
   double x = 0, y = 0, z = 0;
   double yaw_deg = 0;
   [[nodiscard]] Eigen::Isometry3d pose() const;
 };
 
-/// Adds one part to an instance: `offset` and then `turn` in the object's own frame.
+/// Adds one part to an instance: `offset`, then `turn`, in the object's own frame.
 void addPart(SyntheticScene& scene, std::uint16_t instance, const Place& place, std::unique_ptr<Shape> shape,
              const Material& material, const Vec3& offset = Vec3::Zero(),
              const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity());
-/// A box of the given full size that stands on z = `offset.z()`.
+/// A box of full `size` that stands on z = `offset.z()`.
 void addBox(SyntheticScene& scene, std::uint16_t instance, const Place& place, const Vec3& size,
             double radius, const Material& material, const Vec3& offset = Vec3::Zero());
 /// Rotation about an axis, degrees.
@@ -46,7 +46,7 @@ std::uint16_t addCarton(SyntheticScene& scene, const std::string& name, const Pl
 /// `size`: spine to fore edge, height, thickness. Upright books stand on their lower edge, spine towards -y.
 std::uint16_t addBook(SyntheticScene& scene, const std::string& name, const Place& place, const Vec3& size,
                       const Material& material, bool upright = false);
-/// Two slabs that meet at a right angle: the foot lies along x, the upright stands at its -x end.
+/// Two slabs at a right angle: the foot lies along x, the upright stands at its -x end.
 std::uint16_t addLBlock(SyntheticScene& scene, const std::string& name, const Place& place, const Vec3& size,
                         double thickness, double radius, const Material& material);
 std::uint16_t addCactus(SyntheticScene& scene, const std::string& name, const Place& place);

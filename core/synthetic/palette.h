@@ -4,7 +4,7 @@
 
 namespace scantrove::synthetic {
 
-// Random colours and skins for what makes up a random scene.
+// Random colours and materials of random scenes.
 [[nodiscard]] Rgb randomColor(HashStream& random);  ///< of things: any hue, from pale to strong
 [[nodiscard]] Rgb randomPaint(HashStream& random);  ///< of walls and furniture: pale
 [[nodiscard]] Material randomWood(HashStream& random);

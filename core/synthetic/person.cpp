@@ -14,7 +14,7 @@ namespace scantrove::synthetic {
 namespace {
 
 constexpr double kStride_m = 0.7;                         // from one footfall to the next
-constexpr double kSwing = 24.0 / 180 * std::numbers::pi;  // of a leg, to either side
+constexpr double kSwing = 24.0 / 180 * std::numbers::pi;  // amplitude of a leg
 constexpr double kArmRise_deg = 20;
 
 Material skinOf(HashStream& random) {
@@ -29,7 +29,7 @@ Material clothOf(HashStream& random) {
   return cloth;
 }
 
-/// A turn about the y axis through `pivot`.
+/// Rotation about the y axis through `pivot`.
 Eigen::Isometry3d swing(double angle, const Vec3& pivot) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.translate(pivot);

@@ -128,7 +128,7 @@ Thing makeRandomSuitcase(HashStream& random) {
 
 Thing makeLeaning(HashStream& random, double wall_height_m, double edge_m) {
   SyntheticScene scene;
-  // From above: c is half the length, b half the thickness, a half the width; `t` off the vertical.
+  // Top view: c is half the length, b half the thickness, a half the width; `t` off the vertical.
   const bool pole = wall_height_m > 1 && random.chance(0.3);
   const double longest = std::min(wall_height_m * 1.5, pole ? 1.5 : 0.7);
   const double c = longest * random.uniform(pole ? 0.8 : 0.45, 1.0) / 2;

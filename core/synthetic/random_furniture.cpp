@@ -7,16 +7,16 @@
 namespace scantrove::synthetic {
 namespace {
 
-/// Builds a piece of furniture of boxes: each is a part and a volume.
+/// Builds furniture from boxes; each is a part and a volume.
 class Joiner {
  public:
   Joiner(const std::string& name, bool non_convex) : id_(scene_.addInstance(name, false, non_convex)) {}
-  /// A box of full `size` whose foot's middle is at `foot`.
+  /// A box of full `size` with the middle of its foot at `foot`.
   void box(const Vec3& size, const Vec3& foot, double round, const Material& material) {
     addBox(scene_, id_, {}, size, round, material, foot);
     volumes_.push_back({{foot.head<2>(), size.head<2>() / 2}, foot.z(), foot.z() + size.z()});
   }
-  /// A small thing on a front, within the volumes or near enough to them.
+  /// A small fitting on a front, within the volumes or close to them.
   void knob(const Vec3& size, const Vec3& foot, double round, const Material& material) {
     addBox(scene_, id_, {}, size, round, material, foot);
   }
@@ -37,7 +37,7 @@ class Joiner {
   std::vector<Stand> stands_;
 };
 
-/// Doors or drawers before a front from `low` to `high`, slightly raised, each with its handle.
+/// Slightly raised doors or drawers on a front from `low` to `high`, each with its handle.
 void addFronts(Joiner& joiner, HashStream& random, const Vec3& foot, double width, double low, double high,
                const Material& skin) {
   const bool drawers = random.chance(0.5);

@@ -10,12 +10,12 @@ namespace scantrove::synthetic {
 namespace {
 
 constexpr double kRoomSeconds = 10;  // 300 frames
-constexpr int kRooms = 12;           // tried until one can be filmed well
+constexpr int kRooms = 12;           // rooms to try until one has good camera paths
 constexpr int kPathsInRoom = 40;     // tried in each
 constexpr int kSweepFrames = 400;
 constexpr double kSweepSeconds = kSweepFrames / 30.0;
 
-/// A table of any height in the middle of things, what is on it, and chairs around and under it.
+/// A table of random height amid the clutter, with things on it and chairs around and under it.
 void addIsland(HashStream& random, Layout& layout, const Stand& floor) {
   const bool low = random.chance(0.35);
   const Vec3 size{random.uniform(0.8, 1.5), random.uniform(0.55, 0.85),
@@ -47,7 +47,7 @@ void addFloorClutter(HashStream& random, Layout& layout, const Stand& floor) {
   }
 }
 
-/// The eye stands back from what it looks at, which goes along the walls: on a rectangle within the room.
+/// The target follows a rectangle along the walls; the eye keeps its distance within the room.
 CameraPath makePath(HashStream& random, const Shell& shell) {
   const double first = random.uniform(0, 2 * std::numbers::pi);
   const double sweep = random.sign() * random.uniform(1.6, 2.8);
@@ -77,8 +77,8 @@ CameraPath makePath(HashStream& random, const Shell& shell) {
   return alongAtHandsPace(std::move(points));
 }
 
-/// The eye goes along the walls as near to the furniture as `inset` (from the walls) has it, and looks aslant
-/// ahead: what is near passes on one side of the image, the far end of the room stands on the other.
+/// The eye follows the walls at `inset` from them, close to the furniture, and looks obliquely ahead. Near
+/// things pass on one side of the image; the far end of the room is on the other.
 CameraPath makeSweep(HashStream& random, const Shell& shell, double inset) {
   const double first = random.uniform(0, 2 * std::numbers::pi);
   const double way = random.sign();

@@ -10,10 +10,10 @@ namespace scantrove::synthetic {
 namespace {
 
 constexpr double kTableSeconds = 8;    // 240 frames
-constexpr int kTables = 12;            // tried until one can be filmed well
+constexpr int kTables = 12;            // tables to try until one has good camera paths
 constexpr int kPathsAroundTable = 30;  // tried around each
 
-/// Around the table's middle, nearer and farther, higher and lower.
+/// Circles the table's centre at varying distance and height.
 CameraPath makePath(HashStream& random, const Stand& top) {
   const double first = random.uniform(0, 2 * std::numbers::pi);
   const double sweep = random.sign() * random.uniform(1.7, 3.0);

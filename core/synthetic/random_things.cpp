@@ -10,7 +10,7 @@ namespace {
 
 using Add = std::uint16_t (*)(SyntheticScene&, const std::string&, const Place&, const Material&);
 
-/// One of the demos' own things.
+/// One of the things of the fixed scenes.
 Thing known(Add add, const std::string& name, const Material& material, bool round = false) {
   SyntheticScene scene;
   add(scene, name, {}, material);

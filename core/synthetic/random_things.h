@@ -3,7 +3,7 @@
 
 namespace scantrove::synthetic {
 
-// The kinds of small things, each of random size, shape and skin.
+// Small things of random size, shape and material, by kind.
 [[nodiscard]] Thing makeRandomMug(HashStream& random);
 [[nodiscard]] Thing makeRandomVase(HashStream& random);
 [[nodiscard]] Thing makeRandomBowl(HashStream& random);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kWallHeight_m = 2.5;
 
-/// A point of a wall's frame in the room.
+/// Transforms a point from a wall's frame to the room.
 Eigen::Vector2d inRoom(const Place& wall, double along, double into) {
   return Footprint{{along, into}}.placedAt(wall.x, wall.y, wall.yaw_deg).center;
 }
@@ -51,7 +51,7 @@ void fillStand(HashStream& random, Layout& layout, const Stand& stand) {
   layout.clutter(random, stand, std::clamp(static_cast<int>(area * random.uniform(9, 20)), 1, 10));
 }
 
-/// A cushion leaning on a sofa's or a bed's back would have to bend: they lie.
+/// Cushions on sofas and beds lie flat: leaning ones would have to bend.
 void fillSeat(HashStream& random, Layout& layout, const Stand& stand) {
   for (int i = random.between(1, 5); i > 0; --i) {
     Thing thing = random.chance(0.6) ? makeRandomCushion(random) : makeStackable(random);

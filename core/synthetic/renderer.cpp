@@ -27,7 +27,7 @@ std::uint8_t displayByte(float linear) {
   return kTable[static_cast<std::size_t>(std::clamp(soft * kSteps, 0.0F, kSteps - 1.0F))];
 }
 
-/// Neighbouring pixels of a row on one surface, which share what changes slowly.
+/// Neighbouring pixels of a row on one surface; they share slowly varying values.
 constexpr int kRun_px = 4;
 struct Run {
   int part = -1;
@@ -91,7 +91,7 @@ RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting,
     }
   }
   if (lighting != nullptr) {
-    // A lens is not a pinhole: the slight blur of a real camera also softens the stairs of one ray a pixel.
+    // The slight blur of a real lens also smooths the aliasing of one ray a pixel.
     cv::GaussianBlur(frame.color, frame.color, {3, 3}, 0.6, 0.6, cv::BORDER_REPLICATE);
   }
   return frame;

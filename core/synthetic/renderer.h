@@ -7,7 +7,7 @@
 
 namespace scantrove::synthetic {
 
-/// What a perfect camera sees. All h x w.
+/// Images of an ideal camera, all h x w.
 struct RenderedFrame {
   cv::Mat color;      ///< CV_8UC3, BGR; empty unless asked for
   cv::Mat z_m;        ///< CV_32FC1, depth along the optical axis, 0 = nothing there

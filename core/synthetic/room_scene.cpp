@@ -17,7 +17,7 @@ Gaze throughRoom(double t) {
   return alongSpline(kPath, 1.33, t);
 }
 
-/// Two mugs and three books that nothing but their places tells apart: who names one is offered the others.
+/// Two mugs and three books that differ only in position: a user who names one is offered the others.
 void addEquals(SyntheticScene& scene, double z) {
   const Material glaze{Pattern::bands, rgb(0xe4572e), rgb(0xfbf0e0), {}, 0.024F, 0.45F};
   addMug(scene, "mug", {-0.50, 1.08, z, -60}, glaze);

@@ -3,8 +3,8 @@
 
 namespace scantrove::synthetic {
 
-/// A box around the origin whose edges are rounded with `radius` (0 = sharp). Flat faces are met exactly, the
-/// rounded edges by sphere tracing to a micrometre.
+/// A box around the origin whose edges are rounded with `radius` (0 = sharp). Flat faces are intersected
+/// exactly, rounded edges by sphere tracing to a micrometre.
 class RoundedBox final : public Shape {
  public:
   RoundedBox(const Vec3& half_size, double radius);
@@ -33,8 +33,8 @@ class Sphere final : public Shape {
   double radius_;
 };
 
-/// A ring around the z axis, of which the part with y >= `keep_above` is kept (-infinity keeps it whole).
-/// Sphere traced to a micrometre. The cut is flat.
+/// A ring around the z axis, cut flat to the part with y >= `keep_above` (-infinity: the complete ring).
+/// Sphere traced to a micrometre.
 class Torus final : public Shape {
  public:
   Torus(double ring_radius, double tube_radius, double keep_above = -kNoHit);

@@ -11,16 +11,16 @@
 
 namespace scantrove {
 
-/// What a ray meets. World frame.
+/// Surface point that a ray hits. World frame.
 struct RayHit {
-  double distance = synthetic::kNoHit;  ///< in units of the direction's length; infinite where nothing is met
+  double distance = synthetic::kNoHit;  ///< in units of the direction's length; infinite without a hit
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, towards the ray's origin
-  std::uint16_t instance = 0;                        ///< 0 where nothing is met
+  std::uint16_t instance = 0;                        ///< 0 without a hit
   [[nodiscard]] bool hit() const { return instance != 0; }
 };
 
-/// Solids with colours, put together in a world frame: metres, z up, floor at z = 0. Any thread, as long as
-/// nobody builds or moves.
+/// Coloured solids in a world frame: metres, z up, floor at z = 0. Any thread, unless another one builds or
+/// moves parts.
 class SyntheticScene {
  public:
   struct Part {
@@ -30,30 +30,30 @@ class SyntheticScene {
     std::uint16_t instance;
   };
 
-  /// The nearest surface point `origin + distance * direction`, distance > 0, by exact geometry and brute
-  /// force.
+  /// The nearest surface point `origin + distance * direction`, distance > 0, by exact brute-force
+  /// intersection.
   [[nodiscard]] RayHit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   /// Ids 1, 2, 3 ... in order; 1 is the floor.
   [[nodiscard]] const std::vector<InstanceName>& instances() const { return instances_; }
-  /// The id of the instance of that name; 0 where there is none.
+  /// The id of the named instance; 0 if there is none.
   [[nodiscard]] std::uint16_t find(const std::string& name) const;
 
   /// The instance's box along the world's axes.
   [[nodiscard]] Eigen::AlignedBox3d boundsOf(std::uint16_t instance) const;
 
-  /// Building. New instances get the next id; parts of one instance may overlap.
+  /// Building: new instances get the next id; parts of one instance may overlap.
   std::uint16_t addInstance(std::string name, bool is_object, bool non_convex = false);
   void add(std::uint16_t instance, std::unique_ptr<synthetic::Shape> shape,
            const Eigen::Isometry3d& T_world_part, const synthetic::Material& material);
 
-  /// Moves a part, by its place in parts().
+  /// Moves a part, given by its index in parts().
   void setPose(std::size_t part, const Eigen::Isometry3d& T_world_part) {
     parts_[part].T_world_part = T_world_part;
   }
 
-  /// Gives the parts away: to be put somewhere else, or into another skin.
+  /// Releases the parts, to be placed elsewhere or given other materials.
   [[nodiscard]] std::vector<Part> takeParts() && { return std::move(parts_); }
 
  private:

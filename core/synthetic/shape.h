@@ -16,7 +16,7 @@ struct Ray {
   [[nodiscard]] Vec3 at(double t) const { return origin + t * direction; }
 };
 
-/// Plain and quick, for lengths far from overflow.
+/// Fast length, for values far from overflow.
 template <class Real>
 [[nodiscard]] Real lengthOf(Real x, Real y) {
   return std::sqrt(x * x + y * y);
@@ -24,13 +24,13 @@ template <class Real>
 
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
-/// Where a ray meets a shape: `part` says which piece of its surface (shape-specific).
+/// Hit of a ray on a shape; `part` is the shape-specific index of the surface piece.
 struct ShapeHit {
   double t = kNoHit;
   int part = 0;
 };
 
-/// What shading and textures need to know of a surface point. Shape frame.
+/// Surface data for shading and textures. Shape frame.
 struct SurfacePoint {
   Vec3 point;
   Vec3 normal;           ///< exact, unit, out of the material
@@ -45,7 +45,7 @@ struct Bounds {
   Vec3 low;
   Vec3 high;
 
-  /// The interval of t > 0 inside the box, cut to `t_max`; empty when first > second.
+  /// The interval of t > 0 inside the box, clipped to `t_max`; empty when first > second.
   [[nodiscard]] std::pair<double, double> crossing(const Ray& ray, double t_max) const {
     double enter = 0;
     double leave = t_max;
@@ -71,10 +71,10 @@ class Shape {
   /// The nearest hit with 0 < t < t_max, to 0.1 mm or better.
   [[nodiscard]] virtual ShapeHit intersect(const Ray& ray, double t_max) const = 0;
   [[nodiscard]] virtual SurfacePoint describe(const Vec3& point, int part) const = 0;
-  /// How far the solid reaches along a unit direction: max of `direction` . point. Never less than that; of a
-  /// cut torus exact along its axes, of all others in every direction.
+  /// Support function along a unit direction: max of `direction` . point, or more. Exact, except for a cut
+  /// torus in directions other than its axes.
   [[nodiscard]] virtual double reach(const Vec3& direction) const = 0;
-  /// The material is at least so thick everywhere; 0 where nobody promises.
+  /// Minimum thickness of the material; 0 if unknown.
   [[nodiscard]] virtual double thickness() const { return 0; }
 };
 

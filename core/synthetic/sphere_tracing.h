@@ -3,11 +3,11 @@
 
 namespace scantrove::synthetic {
 
-/// Walks along a ray from `t` to `leave` by what `distance` promises to be free; to a micrometre.
+/// Marches along a ray from `t` to `leave`, by the free distance that `distance` guarantees; to a micrometre.
 template <class Distance>
 [[nodiscard]] double march(const Ray& ray, double t, double leave, const Distance& distance) {
-  constexpr double kSurface_m = 1e-6;  // it stops this close
-  constexpr double kGrazing_m = 3e-5;  // a ray that ran out of steps this close still counts as a hit
+  constexpr double kSurface_m = 1e-6;  // hit tolerance
+  constexpr double kGrazing_m = 3e-5;  // a ray that ran out of steps within this distance counts as a hit
   constexpr int kMaxSteps = 96;
   const double per_meter = 1.0 / ray.direction.norm();
   double d = 0;

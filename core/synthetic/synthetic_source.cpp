@@ -33,7 +33,7 @@ constexpr Demo kDemos[] = {
     {"corridor", synthetic::makeCorridorSet, nullptr},
     {"moving", [] { return synthetic::makeRandomMovingSet(1); }, synthetic::makeRandomMovingSet}};
 
-/// Metres to 16-bit units; 0 where there is no reading or it does not fit.
+/// Metres to 16-bit units; 0 for no reading or overflow.
 cv::Mat toUnits(const cv::Mat& z_m, float meters_per_unit) {
   cv::Mat depth(z_m.size(), CV_16UC1);
   for (int v = 0; v < z_m.rows; ++v) {
@@ -115,14 +115,14 @@ class RenderedSource final : public SyntheticSource {
 
   SyntheticOptions options_;
   synthetic::SceneRecipe set_;
-  std::vector<Eigen::Isometry3d> T_world_rest_;  // of the parts before anything moved
+  std::vector<Eigen::Isometry3d> T_world_rest_;  // initial poses of the parts
   synthetic::Trajectory trajectory_;
-  std::unique_ptr<synthetic::Lighting> lighting_;  // baked when the first colour image is asked for
+  std::unique_ptr<synthetic::Lighting> lighting_;  // baked at the first colour image
   SourceInfo info_;
   int given_ = 0;
 };
 
-/// What follows the scene's name: words and a seed between colons. False: something else.
+/// Parses the suffixes of a scene's name: words and a seed between colons. False: unknown suffix.
 bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view modes) {
   while (!modes.empty()) {
     const std::size_t colon = std::min(modes.find(':'), modes.size());

@@ -39,7 +39,7 @@ void Thing::enclose(bool round) {
 Thing& Thing::withTop(double rim_m) {
   const Volume& volume = volumes.front();
   Footprint area = volume.base;
-  const double inscribed = area.round / std::sqrt(2.0);  // of a round top, the square within
+  const double inscribed = area.round / std::sqrt(2.0);  // inscribed square of a round top
   area.half = (area.half.array() + inscribed - rim_m).max(0.0);
   area.round = 0;
   stands.push_back({area, volume.z_high});

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A sum of three sines a channel, each within +-1.
+/// A sum of three sines per channel, each within +-1.
 double shake(double time_s, std::uint32_t channel, std::uint32_t seed) {
   double sum = 0;
   for (std::uint32_t wave = 0; wave < 3; ++wave) {

@@ -6,22 +6,22 @@
 
 namespace scantrove::synthetic {
 
-/// Where a camera is and what the middle of its image shows. World frame, metres.
+/// Eye and target (centre of the image). World frame, metres.
 struct Gaze {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();
   Eigen::Vector3d target = Eigen::Vector3d::Zero();
 };
 
-/// A camera's way, for any time from 0 on.
+/// A camera path, defined for any time from 0 on.
 using CameraPath = std::function<Gaze(double time_s)>;
 
-/// Uniform cubic B-spline through the neighbourhood of the points, one a `period_s`, forth and back for ever.
+/// Uniform cubic B-spline that approximates the points, one per `period_s`, back and forth forever.
 [[nodiscard]] Gaze alongSpline(std::span<const Gaze> points, double period_s, double time_s);
 
-/// A camera on its way in somebody's hand.
+/// A hand-held camera on a path.
 class Trajectory {
  public:
-  /// `seed` makes the tremor; without tremor the way is the same for every seed.
+  /// `seed` affects only the tremor; without tremor all seeds give the same path.
   Trajectory(CameraPath path, bool tremor, std::uint32_t seed);
   /// T_world_camera: x right, y down, z forward.
   [[nodiscard]] Eigen::Isometry3d pose(double time_s) const;

@@ -86,9 +86,8 @@ Eigen::Array4i ViewCaster::tilesOf(const Bounds& bounds, const Eigen::Isometry3d
 
 std::pair<double, double> ViewCaster::depthRange(const LinearRays& rays, const Bounds& bounds, int tile_x,
                                                  int tile_y) const {
-  // Along an axis on which all rays of the tile go the same way, the depth at which a ray crosses a face lies
-  // between those of the tile's corner rays (origin and direction are linear in u and v, and one of them is
-  // constant).
+  // Where all rays of the tile have the same sign along an axis, the depth of a face crossing lies between
+  // those of the corner rays. Origin and direction are linear in u and v, and one of them is constant.
   std::array<Ray, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
     corners[i] = rays.at(tile_x * kTile + ((i & 1) != 0 ? kTile - 1 : 0),

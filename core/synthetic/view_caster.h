@@ -16,8 +16,8 @@ struct View {
   bool shadow_casters_only = false;
 };
 
-/// Casts the rays of one view quickly: every tile of the image knows the few parts that can be seen in it,
-/// nearest first, and rays are linear in (u, v) in each part's own frame.
+/// Casts the rays of one view quickly. Every image tile lists the few parts visible in it, nearest first.
+/// Rays are linear in (u, v) in each part's own frame.
 class ViewCaster {
  public:
   struct Hit {
@@ -44,9 +44,9 @@ class ViewCaster {
   };
   struct Candidate {
     std::uint16_t part;
-    double nearest_z;  // no ray of the tile meets the part's bounds before this depth
+    double nearest_z;  // no ray of the tile hits the part's bounds before this depth
   };
-  /// Tiles that the part's bounds may be seen in, by its corners: first and last of x and y.
+  /// Tiles that the projected corners of the part's bounds may cover: first and last of x and y.
   [[nodiscard]] Eigen::Array4i tilesOf(const Bounds& bounds, const Eigen::Isometry3d& T_view_part) const;
   [[nodiscard]] std::pair<double, double> depthRange(const LinearRays& rays, const Bounds& bounds, int tile_x,
                                                      int tile_y) const;
