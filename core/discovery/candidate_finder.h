@@ -14,49 +14,46 @@
 
 namespace scantrove {
 
-/// What discovery may look at in one frame.
+/// Input of discovery for one frame.
 struct DiscoveryInput {
   const RenderedView& view;
-  /// By pixel: those of the view, none where the frame contradicts the map.
+  /// By pixel: the view's regions; none where the frame contradicts the map.
   std::span<const RegionId> regions = view.regions;
-  /// Log-odds that two regions that touch are one thing; below 0, or they would be. Empty: no sets of
-  /// regions.
+  /// Log-odds that two touching regions are one object; below 0, since others are joined already. Empty: no
+  /// sets of regions.
   std::function<float(RegionId, RegionId)> joining_odds = {};
-  /// By pixel: not 0 for what came into the scene and rests there now. Empty: nothing did.
+  /// By pixel: not 0 for an object that appeared and is at rest. Empty: none.
   std::span<const std::uint8_t> appeared = {};
-  /// By pixel: CIE L*a*b* of the surface, a little blurred. Empty: the image has no colour.
+  /// By pixel: CIE L*a*b* of the surface, slightly blurred. Empty: no colour.
   std::span<const Eigen::Vector3f> color_lab = {};
 };
 
-/// Says what may be an object in one frame.
+/// Finds the candidates of one frame.
 class CandidateSource {
  public:
   virtual ~CandidateSource() = default;
-  /// Candidates of this frame, by their regions. They may overlap: each is one way to see the scene (see
-  /// chooseDisjoint).
+  /// Candidates of this frame, ordered by their regions. They may overlap (see chooseDisjoint).
   [[nodiscard]] virtual std::vector<Candidate> find(const DiscoveryInput& input) = 0;
-  /// What find() saw last.
+  /// The regions of the last find().
   [[nodiscard]] virtual const RegionCensus& census() const = 0;
 };
 
-/// One way to discover objects while a scan runs; others plug in here. Keeps what it needs to know of earlier
-/// frames.
+/// Discovers objects while a scan runs. Keeps its own history of earlier frames.
 class CandidateFinder : public CandidateSource {
  public:
   virtual void setParams(const DiscoveryParams& params) = 0;
-  /// `from` is now part of `into`: its history goes with it.
+  /// `from` is now part of `into`, with its history.
   virtual void regionsJoined(RegionId into, RegionId from) = 0;
-  /// `from` is not as large any more.
+  /// `from` has lost fragments.
   virtual void regionParted(RegionId from) = 0;
 };
 
-/// The rules of thesis 5.1 (central, persistent in size, size in range, not flat, not eccentric, off the
-/// border) for regions and for sets of neighbours (ch. 6), and of what passes them, which is whole.
+/// Applies the rules of thesis 5.1 (central, persistent in size, size in range, not flat, not eccentric, off
+/// the border) to regions and to sets of neighbours (ch. 6). Decides which of the accepted ones are complete.
 [[nodiscard]] std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& params);
 
-/// Of candidates that share regions only the best: the one that the catalogue speaks for (`known`, by index,
-/// higher is better, 0: nothing), that is whole, whose outline is its own, that is likely to be one. In order
-/// of their regions.
+/// Keeps the best of candidates that share regions, ordered by their regions. Criteria in order: a match in
+/// the catalogue (`known`, by index, higher is better, 0: none), completeness, own outline, odds.
 [[nodiscard]] std::vector<std::size_t> chooseDisjoint(std::span<const Candidate> candidates,
                                                       std::span<const float> known);
 

@@ -4,18 +4,18 @@
 
 namespace scantrove {
 
-/// The sharpest change of colour inside of some regions, on a line straight through them: where two things in
-/// a row meet, and also where the cover of a book ends on its spine.
+/// The sharpest colour change across a straight line through some regions. Two objects in a row have one
+/// where they meet, but a book has one, too, between cover and spine.
 struct ColorChange {
-  float contrast = 0;  ///< colorContrast() over the line, the mean along it
-  float likeness = 1;  ///< of what lies to one side of it and to the other (ColorHistogram::intersection)
+  float contrast = 0;  ///< mean colorContrast() across the line
+  float likeness = 1;  ///< of the colours on both sides of the line (ColorHistogram::intersection)
 };
 struct ColorChanges {
-  ColorChange along;   ///< on the way along their longer axis
-  ColorChange across;  ///< on the way across it
+  ColorChange along;   ///< along their longer axis
+  ColorChange across;  ///< across that axis
 };
 
-/// `pixels` and `axes` are of `input`, whose image has colour.
+/// `pixels` and `axes` belong to `input`, which must have colour.
 [[nodiscard]] ColorChanges colorChangesOf(const SetPixels& pixels, const SetAxes& axes,
                                           const DiscoveryInput& input);
 

@@ -4,14 +4,14 @@
 
 namespace scantrove {
 
-/// How clearly two colours (CIE L*a*b*) differ: 0 = not at all, 1 = as much as two things side by side
-/// mostly do, or more.
+/// Contrast of two colours (CIE L*a*b*): 0 = equal, 1 = at least the usual difference between two adjacent
+/// objects.
 [[nodiscard]] inline float colorContrast(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  constexpr float kClear = 30;  // differences of L*a*b* from there on are plain to anybody
+  constexpr float kClear = 30;  // L*a*b* differences from here on are obvious
   return std::min((a - b).norm(), kClear) / kClear;
 }
 
-/// Colours are compared so many pixels off an edge, which is blurred: in an image of that width.
+/// Distance from an edge, in pixels, at which colours are compared, because edges are blurred.
 [[nodiscard]] constexpr int colorReach(int width) {
   constexpr int kMin_px = 2, kPart = 160;  // the blur of labColors and of the lens, in 320 pixels
   return std::max(kMin_px, width / kPart);

@@ -5,23 +5,22 @@
 
 namespace scantrove {
 
-/// How often colours occur, in CIE L*a*b*. Bins are wide, for light and shadow change colours, and each
-/// colour counts in those nearest.
+/// Histogram in CIE L*a*b*. Bins are wide, because light and shadow change colours. Each colour is shared
+/// among the nearest bins.
 class ColorHistogram {
  public:
   static constexpr std::size_t kBins = 5;  ///< of each of L*, a* and b*
   using Shares = std::array<float, kBins * kBins * kBins>;
 
-  /// As shares() gave them.
+  /// From the result of shares().
   [[nodiscard]] static ColorHistogram ofShares(const Shares& shares);
   void add(const Eigen::Vector3f& lab);
   void add(const ColorHistogram& other);
   [[nodiscard]] bool isEmpty() const { return colors_ == 0; }
 
-  /// The part of their colours that two have in common (Swain and Ballard 1991): 0 .. 1. 0 where one is
-  /// empty.
+  /// Histogram intersection (Swain and Ballard 1991), 0 .. 1; 0 if one is empty.
   [[nodiscard]] float intersection(const ColorHistogram& other) const;
-  /// Of each bin; their sum is 1, or 0 where there are no colours.
+  /// The share of each bin; the sum is 1, or 0 without colours.
   [[nodiscard]] Shares shares() const;
 
  private:

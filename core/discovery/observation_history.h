@@ -7,27 +7,28 @@
 
 namespace scantrove {
 
-/// What sets of regions looked like, for saying which of them are whole things. Forgets what was not seen for
-/// a while.
+/// Observations of sets of regions, from which complete objects are chosen. Drops sets that were not seen for
+/// kMemory frames.
 class ObservationHistory {
  public:
   static constexpr int kMemory = 900;  ///< frames
 
   struct Observation {
-    float outline = 0, hidden = 0;                        ///< as in Candidate; less what may be hidden more
+    float outline = 0,
+          hidden = 0;  ///< as in Candidate; `hidden` less the extra part that mostHidden() accepts
     Eigen::Vector3f size_m = Eigen::Vector3f::Zero();     ///< of the oriented box
-    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< unit, from the thing to the camera, world
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< unit, from the object to the camera, world
   };
 
-  /// Time goes on by a frame.
+  /// Starts the next frame.
   void nextFrame();
-  /// A look in this frame. One of clearly another size does not count; several in a row start anew: it is not
-  /// the same thing any more.
+  /// Adds an observation of this frame. One with a clearly different size is ignored; several in a row reset
+  /// the set's history, because the object has changed.
   void add(const RegionSet& regions, const Observation& look);
-  /// `from` is now part of `into`: where that makes two sets one, the one with more looks stays.
+  /// `from` is now part of `into`. If two sets become equal, the one with more observations is kept.
   void follow(RegionId into, RegionId from);
 
-  /// Seen often enough, from two directions or for long enough, with an outline that was its own.
+  /// Seen often enough, from two directions or for long enough, with its own outline (DiscoveryParams).
   [[nodiscard]] bool isComplete(const RegionSet& regions, const DiscoveryParams& params) const;
 
   [[nodiscard]] std::size_t setCount() const { return watched_.size(); }
@@ -35,7 +36,7 @@ class ObservationHistory {
  private:
   struct Watched {
     int observations = 0;
-    int others = 0;                             ///< the last so many were of another size
+    int others = 0;                             ///< observations of another size, in a row, at the end
     float outline = 0, hidden = 0, size_m = 0;  ///< means; the size is the box's diagonal
     Eigen::Vector3f first_direction = Eigen::Vector3f::Zero();
     float widest_angle_rad = 0;  ///< between the first direction and another

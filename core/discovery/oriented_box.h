@@ -12,9 +12,9 @@ struct OrientedBox {
   float thickness_ratio = 0;  ///< sqrt(smallest / largest eigenvalue of the covariance)
 };
 
-/// The box along the principal axes (PCL's mean and covariance) that holds all but the outermost 1 % of the
-/// points to either side of each axis, so that few stray points do not stretch it. Looks at 4096 points at
-/// most, evenly taken. All zero for less than 3 points.
+/// The box along the principal axes (PCL's mean and covariance). It omits the outermost 1 % of the points at
+/// both ends of each axis, so that stray points do not stretch it. Uses at most 4096 points, evenly chosen.
+/// All zero for fewer than 3 points.
 [[nodiscard]] OrientedBox fitOrientedBox(std::span<const Eigen::Vector4f> points);
 
 }  // namespace scantrove

@@ -4,15 +4,15 @@
 
 namespace scantrove {
 
-/// How clearly some regions end where they do: 1 = the surface ends there or folds, 0 = it goes on and its
-/// colour, too. Of a piece of a thing, or of one of several in a row, some side is not bounded.
+/// How clearly the outline of some regions bounds them: 1 = the surface ends or folds there, 0 = surface and
+/// colour continue. A part of an object, or one of several objects in a row, has an unbounded side.
 struct OutlineBounds {
   float mean = 0.5F;
-  float least_side = 0.5F;  ///< of the four sides, along and across the longer axis, the one bounded least
+  float least_side = 0.5F;  ///< the least bounded of the four sides along and across the longer axis
 };
 
-/// What is hidden, cut off or unseen says nothing; what is not known of a side is taken for half.
-/// `pixels` and `axes` are of `input`.
+/// Hidden, cut-off and unseen steps do not count; unknown parts of a side count as 0.5. `pixels` and `axes`
+/// belong to `input`.
 [[nodiscard]] OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes,
                                             const DiscoveryInput& input);
 

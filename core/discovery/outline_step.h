@@ -4,36 +4,36 @@
 
 namespace scantrove {
 
-/// Steps from pixels of a region across its outline, by what lies beyond.
+/// Counts of pixel steps across a region's outline, by the kind of surface beyond.
 struct OutlineSteps {
-  int open = 0;    ///< the surface beyond lies deeper or lower: here the thing ends
-  int folded = 0;  ///< it touches and rises: the thing stands on it or leans against it
-  int smooth = 0;  ///< it goes on as it was: a cut across a surface
-  int ridged = 0;  ///< it bends away: another side of the same thing, as a rule
-  int hidden = 0;  ///< it is nearer and hides what the thing is like there
+  int open = 0;    ///< deeper or lower surface: the object ends
+  int folded = 0;  ///< touching and rising surface: the object stands on it or leans against it
+  int smooth = 0;  ///< the surface continues: a cut across it
+  int ridged = 0;  ///< the surface bends away: usually another side of the same object
+  int hidden = 0;  ///< nearer surface, which occludes the region
   int cut = 0;     ///< the image ends
-  int unseen = 0;  ///< nothing is known there: says neither
+  int unseen = 0;  ///< unknown
 
   void operator+=(const OutlineSteps& other);
   [[nodiscard]] int touching() const { return folded + smooth + ridged; }
   [[nodiscard]] int known() const { return open + touching() + hidden + cut; }
-  /// Part of what is known, and neither hidden nor cut off, that is the thing's own edge: open, or a fold. 0
-  /// where that is nothing.
+  /// The object's own edge (open or folded) as part of the known steps that are neither hidden nor cut off. 0
+  /// if there are none.
   [[nodiscard]] float own() const;
-  /// Part of what is known that lies behind something nearer.
+  /// Hidden part of the known steps.
   [[nodiscard]] float hiddenPart() const;
 };
 
-/// What a step is counted as.
+/// The counter for a step.
 using OutlineEnd = int OutlineSteps::*;
 
-/// Says how a region ends at one step.
+/// Classifies single steps across an outline.
 class OutlineStepJudge {
  public:
   /// `input` must outlive this.
   explicit OutlineStepJudge(const DiscoveryInput& input) : input_(input), depth_(input.view.T_world_camera) {}
 
-  /// From (u, v) in direction (du, dv), where the next pixel is another region's.
+  /// The step from (u, v) in direction (du, dv), where the next pixel belongs to another region.
   [[nodiscard]] OutlineEnd judge(int u, int v, int du, int dv) const;
 
  private:

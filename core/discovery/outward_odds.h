@@ -3,15 +3,15 @@
 
 namespace scantrove {
 
-/// How near some regions are to being one thing with what they touch in an image.
+/// How likely some regions are one object with the regions that they touch in an image.
 struct OutwardOdds {
-  static constexpr float kMin = -8;  ///< of what touches nothing, or was never seen as one
+  static constexpr float kMin = -8;  ///< without contact or evidence
 
-  float most = kMin;      ///< DiscoveryInput::joining_odds of the contact that comes nearest
-  float joined_part = 0;  ///< expected part of the known outline that lies inside of something larger
+  float most = kMin;      ///< largest DiscoveryInput::joining_odds of a contact
+  float joined_part = 0;  ///< expected part of the known outline that lies inside a larger object
 };
 
-/// `outlines` are those of `input`.
+/// `outlines` belong to `input`.
 [[nodiscard]] OutwardOdds outwardOddsOf(const RegionSet& regions, const RegionOutlines& outlines,
                                         const DiscoveryInput& input);
 

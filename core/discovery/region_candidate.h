@@ -8,13 +8,13 @@
 
 namespace scantrove {
 
-/// The hypothesis as the look of `input` shows it, of which `box` is the shape; what is said of its outline,
-/// and whether it is whole, is left open.
+/// The candidate of a hypothesis as `input` shows it, with the shape `box`. Leaves outline and completeness
+/// unset.
 [[nodiscard]] Candidate candidateOf(const RegionHypothesis& hypothesis, const OrientedBox& box,
                                     const DiscoveryInput& input);
 
-/// One region as a candidate, whole or not, whatever the rules say of it: for those that a person asks for.
-/// None: fewer than `least_points` of its pixels have a surface in this image.
+/// A region that a person asks for as a candidate, without applying the rules. None if fewer than
+/// `least_points` of its pixels have a surface in this image.
 [[nodiscard]] std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& input,
                                                    int least_points);
 

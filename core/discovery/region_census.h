@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-/// What one pass over the labels says of one region, all its image parts together.
+/// Pixel statistics of one region, over all its parts in the image.
 struct RegionExtent {
   RegionId region;
   std::int64_t pixels = 0;
@@ -17,29 +17,29 @@ struct RegionExtent {
 
   [[nodiscard]] double centroidU() const { return sum_u / static_cast<double>(pixels); }
   [[nodiscard]] double centroidV() const { return sum_v / static_cast<double>(pixels); }
-  /// Of the longer axis of the ellipse with the same second moments, from u towards v, radians.
+  /// Direction of the longer axis of the ellipse with the same second moments, from u towards v, radians.
   [[nodiscard]] double orientation() const;
-  /// Of that ellipse: 0 = round, towards 1 = a line.
+  /// Eccentricity of that ellipse: 0 = round, towards 1 = a line.
   [[nodiscard]] float eccentricity() const;
 };
 
 /// All regions of the image.
 struct RegionCensus {
   std::vector<RegionExtent> extents;  ///< by region id
-  cv::Rect labeled_px;                ///< box around everything labelled
+  cv::Rect labeled_px;                ///< box around all labelled pixels
 
-  /// With at least so many pixels, in order.
+  /// Regions with at least `least_pixels` pixels, in order.
   [[nodiscard]] std::vector<RegionId> regionsOfSize(double least_pixels) const;
 };
 
-/// Counts regions run by run. Keeps its tables from frame to frame; cost: one read of the labels.
+/// Counts regions run by run in one pass over the labels. Keeps its tables between frames.
 class RegionCounter {
  public:
-  /// `regions`: an image of that width, row by row.
+  /// `regions`: an image of width `width`, row by row.
   [[nodiscard]] RegionCensus count(std::span<const RegionId> regions, int width);
 
  private:
-  std::vector<std::uint32_t> slot_of_region_;  // 1 + index in extents; 0 = not met in this frame
+  std::vector<std::uint32_t> slot_of_region_;  // 1 + index in extents; 0 = not in this frame
 };
 
 }  // namespace scantrove

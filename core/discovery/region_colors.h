@@ -9,33 +9,33 @@
 
 namespace scantrove {
 
-/// How much two collections of colours are alike: 0 = nothing in common, 1 = the same.
+/// Colour similarities of some regions: 0 = nothing in common, 1 = equal.
 struct ColorLikeness {
-  /// With the neighbour in the image, of those that reach near it, that is most like it.
+  /// To the most similar of the regions near it in the image.
   float neighbor = 0;
-  /// With what touches it: what lies around it and neither clearly before nor behind it.
+  /// To the pixels around it at a similar depth.
   float touching = 0;
-  // Of their two halves: on either side of the middle of their longer axis in the image, and of the other.
-  // Things in a row are halved between them, or nearly so.
+  // Between their two halves, divided at the middle of the longer axis in the image, and of the shorter axis.
+  // The division of objects in a row lies at or near the gap between them.
   float end_to_end = 0, side_to_side = 0;
 };
 
-/// The colours of the regions of an image. A piece of a thing is coloured like the rest of it, a whole thing
-/// often unlike what it stands on.
+/// The colours of the regions of an image. A part of an object resembles the rest in colour; a complete
+/// object often differs from its support.
 class RegionColors {
  public:
   /// `input` must outlive this.
   explicit RegionColors(const DiscoveryInput& input);
 
-  /// `extent` is that of all the regions together. Nothing where the image has no colour.
+  /// `extent`: of all the regions together. None without colour.
   [[nodiscard]] std::optional<ColorLikeness> likenessOf(const RegionSet& regions,
                                                         const RegionExtent& extent) const;
 
  private:
-  /// What is near some regions in the image.
+  /// The pixels near some regions in the image.
   struct Surroundings {
     std::map<RegionId, int> pixels;  // of each region
-    ColorHistogram touching;         // of what is as far away as they are
+    ColorHistogram touching;         // of pixels at a similar depth
   };
   [[nodiscard]] Surroundings around(const RegionSet& regions, const cv::Rect& box_px) const;
   [[nodiscard]] ColorHistogram colorsOf(const RegionSet& regions) const;
@@ -43,7 +43,7 @@ class RegionColors {
 
   const DiscoveryInput& input_;
   std::map<RegionId, ColorHistogram> of_region_;
-  int reach_px_;  // how far around regions others are near
+  int reach_px_;  // distance up to which others are near
 };
 
 }  // namespace scantrove

@@ -5,20 +5,19 @@
 
 namespace scantrove {
 
-/// Regions that may be one thing, all their image parts together. `extent.region` is the first of them.
+/// Regions that may be one object, with all their parts in the image. `extent.region` is the first of them.
 struct RegionHypothesis {
   RegionSet regions;
   RegionExtent extent;
   float visible_area_m2 = 0;
-  float odds = 0;  ///< of a set: the least log-odds of the contacts that hold it together
-  bool is_inconsistent =
-      false;  ///< it has the inside of something without the outside, or the outside without it
+  float odds = 0;                ///< of a set: the least log-odds of the contacts that join it
+  bool is_inconsistent = false;  ///< it has an object's inside without the outside, or the reverse
 };
 
-/// Each of the regions by itself, and the sets of up to four of them that touch one another and are near to
-/// being joined (thesis ch. 6): `input.joining_odds` of each contact above -kNearOdds. A hollow
-/// (isNotHollow) need not touch what it is the inside of: it meets that over the rim, which hides some of it.
-/// By their regions; at most kMaxSets sets, those of fewest regions first.
+/// Each region alone, and sets of up to four touching regions that are close to joining (thesis ch. 6):
+/// `input.joining_odds` of each contact is above -kNearOdds. A concave region (isNotHollow) may be the inside
+/// of an object without touching its outside, because the rim occludes the contact. Ordered by regions; at
+/// most kMaxSets sets, those with fewest regions first.
 [[nodiscard]] std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> regions,
                                                               const RegionOutlines& outlines,
                                                               const DiscoveryInput& input,

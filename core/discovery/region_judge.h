@@ -11,25 +11,25 @@
 
 namespace scantrove {
 
-/// Says which regions and sets of regions are one whole thing, once nothing more comes of a scan: by a look
-/// and by all that is known of them. What CandidateFinder says while a scan runs waits for looks that show
-/// a thing entirely; here the image may cut some of it off, and others may hide some.
+/// Rates which regions and sets of regions are one complete object, after the scan has ended, from one
+/// observation and all known points. CandidateFinder, during the scan, needs observations of the complete
+/// object. Here parts may be cut off or occluded.
 class RegionJudge final : public CandidateSource {
  public:
   RegionJudge(const DiscoveryParams& params, RegionSamples known)
       : params_(params), known_(std::move(known)) {}
 
-  /// From now on nothing is said of sets that `asked` is false of: each takes its time. At first, of all.
+  /// From now on skips sets for which `asked` is false, to save time. By default no set is skipped.
   void askOnlyOf(std::function<bool(const RegionSet&)> asked) { asked_ = std::move(asked); }
 
   struct Judged {
     RegionHypothesis hypothesis;
     ObjectnessEvidence evidence;
   };
-  /// All that are no larger than things are, and of which enough is in view to say. `input.joining_odds` is
-  /// asked by several threads at once.
+  /// All sets that are no larger than objects and sufficiently in view. Calls `input.joining_odds` from
+  /// several threads at once.
   [[nodiscard]] std::vector<Judged> judge(const DiscoveryInput& input);
-  /// The same as candidates, with Candidate::objectness.
+  /// The results of judge() as candidates, with Candidate::objectness.
   [[nodiscard]] std::vector<Candidate> find(const DiscoveryInput& input) override;
   [[nodiscard]] const RegionCensus& census() const override { return census_; }
 
@@ -39,7 +39,7 @@ class RegionJudge final : public CandidateSource {
   DiscoveryParams params_;
   std::function<bool(const RegionSet&)> asked_;  // empty: all
   RegionSamples known_;
-  std::map<RegionSet, RegionSamples::Shape> shapes_;  // as far as they were asked for
+  std::map<RegionSet, RegionSamples::Shape> shapes_;  // computed on demand
   RegionCounter counter_;
   RegionCensus census_;
 };

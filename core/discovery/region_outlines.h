@@ -10,22 +10,22 @@
 
 namespace scantrove {
 
-inline constexpr int kMinContact = 4;  ///< steps along which two regions touch, of one thing or not
+inline constexpr int kMinContact = 4;  ///< least steps for two regions to touch
 
-/// How the regions of an image end, and against what.
+/// The outlines of an image's regions, by step kind and neighbour.
 class RegionOutlines {
  public:
-  /// Looks at every step between pixels of different regions, to the right and downwards, from both sides.
+  /// Classifies every step between pixels of different regions, to the right and downwards, from both sides.
   explicit RegionOutlines(const DiscoveryInput& input);
 
-  /// Of the set's outline: steps from one of its regions to another are inside.
+  /// The steps of the set's outline, without those between its own regions.
   [[nodiscard]] OutlineSteps of(const RegionSet& regions) const;
-  /// The same, by what lies beyond; none: no region there.
+  /// The same, by the region beyond; none: no region there.
   [[nodiscard]] std::map<RegionId, OutlineSteps> beyond(const RegionSet& regions) const;
-  /// From `a` to `b`.
+  /// The steps from `a` to `b`.
   [[nodiscard]] OutlineSteps between(RegionId a, RegionId b) const;
-  /// Regions that `region` meets along at least `least_steps` steps of which something is known, whether it
-  /// touches them there or not, rising.
+  /// Neighbours of `region` in the image along at least `least_steps` known steps, touching or not, in rising
+  /// order.
   [[nodiscard]] std::vector<RegionId> touchedBy(RegionId region, int least_steps) const;
 
  private:
@@ -33,7 +33,7 @@ class RegionOutlines {
     RegionId region;
     OutlineSteps steps;
   };
-  /// What lies beyond the set's outline, once for each of its regions.
+  /// Visits the neighbours beyond the set's outline, once for each of its regions.
   template <class Visit>
   void forEachBeyond(const RegionSet& regions, const Visit& visit) const;
 

@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-/// Regions that are taken for one thing together (thesis ch. 6). Rising, each once.
+/// Regions that together may be one object (thesis ch. 6). In rising order, each once.
 class RegionSet {
  public:
   RegionSet() = default;

@@ -10,10 +10,10 @@
 
 namespace scantrove {
 
-/// From a pixel to those beside it.
+/// Offsets to a pixel's four neighbours.
 inline constexpr std::array<std::array<int, 2>, 4> kFourNeighbors{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-/// Which pixels of an image some regions fill.
+/// The pixels of some regions in an image.
 class SetPixels {
  public:
   /// `box_px` holds all of them. `regions` and `input` must outlive this.
@@ -22,7 +22,7 @@ class SetPixels {
 
   [[nodiscard]] bool isInside(int u, int v) const { return input_.view.K.isInside(u, v); }
   [[nodiscard]] std::size_t at(int u, int v) const { return input_.view.K.indexOf(u, v); }
-  /// False outside of the image.
+  /// False outside the image.
   [[nodiscard]] bool contains(int u, int v) const {
     if (!isInside(u, v)) return false;
     const RegionId region = input_.regions[at(u, v)];
@@ -44,11 +44,11 @@ class SetPixels {
   const DiscoveryInput& input_;
 };
 
-/// Pixels as parts of half of what some regions measure along their longer axis (x) and across it (y), from
-/// their middle.
+/// Normalised pixel coordinates along the regions' longer axis (x) and across it (y). The origin is their
+/// centroid; 1 is the largest distance of a pixel on that axis, at least 1 pixel.
 class SetAxes {
  public:
-  /// `extent` is that of all the regions together.
+  /// `extent`: of all the regions together.
   SetAxes(const SetPixels& pixels, const RegionExtent& extent)
       : middle_(static_cast<float>(extent.centroidU()), static_cast<float>(extent.centroidV())),
         longer_(static_cast<float>(std::cos(extent.orientation())),
@@ -56,7 +56,7 @@ class SetAxes {
     pixels.forEach([&](int u, int v) { half_ = half_.cwiseMax(turned(u, v).cwiseAbs()); });
   }
 
-  /// Of their longer axis.
+  /// Direction of the longer axis.
   [[nodiscard]] const Eigen::Vector2f& longer() const { return longer_; }
   [[nodiscard]] Eigen::Vector2f operator()(int u, int v) const { return turned(u, v).cwiseQuotient(half_); }
 

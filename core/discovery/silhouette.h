@@ -3,10 +3,10 @@
 
 namespace scantrove {
 
-/// How some regions stand out in an image.
+/// The silhouette of some regions in an image.
 struct Silhouette {
-  float convexity = 1;  ///< their pixels by those of their convex hull
-  float relief_m = 0;   ///< mean of how much deeper it is beyond their outline, where it is; 0: nowhere
+  float convexity = 1;  ///< their pixels / those of their convex hull
+  float relief_m = 0;   ///< mean depth step where the surface beyond the outline is deeper; 0: nowhere
 };
 
 /// `box_px` holds all pixels of the regions.

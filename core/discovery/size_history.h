@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// The visible sizes of sets of regions over their last consecutive sightings. Holds only sets of the last
-/// frame, and of each at most the `frames` newest sizes.
+/// The visible sizes of sets of regions over consecutive frames. Holds only sets of the last frame, with at
+/// most the `frames` newest sizes each.
 class SizeHistory {
  public:
   struct Sighting {
@@ -16,14 +16,14 @@ class SizeHistory {
     float visible_area_m2 = 0;
   };
 
-  /// Adds one frame's sightings; a set that is missing starts anew when it comes back.
+  /// Adds one frame's sightings; drops the history of sets that are missing.
   void add(std::span<const Sighting> sightings, int frames);
 
-  /// True when the set was seen `frames` times in a row and its sizes differ by at most `tolerance` of the
-  /// largest.
+  /// True if the set was seen in `frames` consecutive frames and its sizes differ by at most `tolerance` of
+  /// the largest.
   [[nodiscard]] bool isPersistent(const RegionSet& regions, int frames, float tolerance) const;
 
-  /// `from` is now part of `into`: where that makes two sets one, the one that was there keeps its history.
+  /// `from` is now part of `into`. If two sets become equal, the existing one keeps its history.
   void follow(RegionId into, RegionId from);
 
   [[nodiscard]] std::size_t setCount() const { return areas_.size(); }

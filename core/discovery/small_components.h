@@ -3,9 +3,9 @@
 
 namespace scantrove {
 
-/// Drops stray parts of a mask and closes pinholes in it, as an uneven border between labels leaves them:
-/// what is far smaller than all of it. Its largest part stays, and what something nearer cuts off of it, and
-/// the hole of a handle. `mask` (CV_8UC1, 255 = inside) fills `box_px`, which becomes that of what is left.
+/// Removes small components and closes small holes of a mask; uneven label borders cause both. Keeps the
+/// largest component, parts that an occluder separates, and holes such as that of a handle. `mask` (CV_8UC1,
+/// 255 = inside) fills `box_px`; both are cropped to the rest.
 void dropSmallComponents(cv::Mat& mask, cv::Rect& box_px);
 
 }  // namespace scantrove

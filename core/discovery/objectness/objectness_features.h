@@ -10,7 +10,7 @@ namespace scantrove {
 
 namespace objectness {
 
-/// Higher odds of a contact say no more.
+/// Upper limit of a contact's log-odds as a feature.
 inline constexpr float kCertain = 4;
 
 inline float longestSide_m(const ObjectnessEvidence& e) {
@@ -20,7 +20,7 @@ inline float longestSide_m(const ObjectnessEvidence& e) {
 
 }  // namespace objectness
 
-/// What the objectness model weighs, by name. Another list needs a model trained anew (tools/train).
+/// Features of the objectness model, by name. A changed list needs a newly trained model (tools/train).
 inline constexpr auto kObjectnessFeatures = std::to_array<Feature<ObjectnessEvidence>>({
     {"log_pixels", [](const ObjectnessEvidence& e) { return std::log(std::max(e.pixels, 1.0F)); }},
     {"open", [](const ObjectnessEvidence& e) { return e.open; }},
