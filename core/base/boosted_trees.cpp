@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMaxLevels = 16;
 
-/// Names where the two lists differ first.
+/// Describes the first difference of the two lists.
 Result<void> checkFeatures(const std::vector<std::string>& in_file,
                            std::span<const std::string_view> expected) {
   const auto [file, program] = std::ranges::mismatch(in_file, expected);

@@ -13,7 +13,8 @@ namespace scantrove {
 
 inline constexpr float kUnknownFeature = std::numeric_limits<float>::quiet_NaN();
 
-/// A feature that a learned model weighs: its name in the model's file, and its value of some evidence.
+/// A feature of a learned model: its name in the model's file, and a function that computes its value from
+/// evidence.
 template <class Evidence>
 struct Feature {
   std::string_view name;
@@ -38,32 +39,32 @@ template <class Evidence, std::size_t N>
 
 /// A file of resources/models, embedded at build time (scantrove_embed_models in Embed.cmake).
 struct ModelFile {
-  std::string_view path;  ///< from the repository's root
+  std::string_view path;  ///< relative to the repository root
   std::string_view json;
 };
 
-/// Gradient-boosted trees (Friedman 2001), made by tools/train, which describes the file: their values and
-/// the prior add up to the logarithm of the odds of a yes to the model's question.
+/// Gradient-boosted trees (Friedman 2001). Tree values and the prior add up to the log odds of a positive
+/// answer. tools/train writes the file and documents its format.
 class BoostedTrees {
  public:
-  /// Error: the file is damaged, or made for other features than these.
+  /// Error: the file is damaged, or its features differ from these.
   [[nodiscard]] static Result<BoostedTrees> parse(const ModelFile& file,
                                                   std::span<const std::string_view> features);
-  /// Of a file that is part of the program: an error ends the program.
+  /// Loads an embedded file: an error ends the program.
   [[nodiscard]] static BoostedTrees embedded(const ModelFile& file,
                                              std::span<const std::string_view> features);
 
-  /// Unknown features become the medians of the training samples first.
+  /// Replaces unknown features by the medians of the training samples.
   [[nodiscard]] float logOdds(std::span<float> features) const;
 
  private:
   struct Split {
     int feature;
-    float limit;  // up to this the way goes to the left
+    float limit;  // go left if the value is at most this
   };
   [[nodiscard]] Result<void> read(std::string_view json, std::span<const std::string_view> features);
 
-  std::vector<float> medians_;  // NaN: always known
+  std::vector<float> medians_;  // NaN: the feature is always known
   float prior_ = 0;
   std::size_t splits_per_tree_ = 0;  // complete trees: the root, its two children, their four, and so on
   std::vector<Split> splits_;        // tree by tree

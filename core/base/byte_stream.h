@@ -9,14 +9,14 @@
 
 namespace scantrove {
 
-/// Values one after the other as the bytes that they are in memory, in words of 32 bits. One thread.
+/// Serialises values by their bytes in memory, padded to 32-bit words. One thread.
 class ByteWriter {
  public:
   template <class T>
   void put(const T& value) {
     putAll(std::span<const T>(&value, 1));
   }
-  /// The values alone: a reader has to know how many.
+  /// Writes the values without their number, which a reader must know.
   template <class T>
   void putAll(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -25,7 +25,7 @@ class ByteWriter {
     words_.resize(first + (values.size_bytes() + sizeof(std::uint32_t) - 1) / sizeof(std::uint32_t), 0);
     std::memcpy(words_.data() + first, values.data(), values.size_bytes());
   }
-  /// With their number.
+  /// Writes the number of values first.
   template <class T>
   void putList(std::span<const T> values) {
     put(static_cast<std::uint64_t>(values.size()));
@@ -38,8 +38,7 @@ class ByteWriter {
   std::vector<std::uint32_t> words_;
 };
 
-/// Reads what a ByteWriter wrote. When there is less than was asked for, it is no longer ok() and gives
-/// values of zeros. One thread.
+/// Reads the output of a ByteWriter. On missing data ok() becomes false and zeros are returned. One thread.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint32_t> words) : left_(words) {}
@@ -68,11 +67,11 @@ class ByteReader {
     return values;
   }
 
-  /// What was read is not what it should be.
+  /// Marks the data as invalid.
   void refuse() { is_ok_ = false; }
   [[nodiscard]] bool ok() const { return is_ok_; }
   [[nodiscard]] std::size_t bytesLeft() const { return is_ok_ ? left_.size_bytes() : 0; }
-  /// All was there, and nothing is left.
+  /// Whether all data was present and nothing is left.
   [[nodiscard]] bool isAtEnd() const { return is_ok_ && left_.empty(); }
 
  private:

@@ -5,7 +5,7 @@
 namespace scantrove {
 
 std::uint32_t crc32Of(std::span<const char> bytes, std::uint32_t crc) {
-  // Of no bytes libdeflate gives the start value, whatever `crc` is.
+  // For zero bytes libdeflate returns the initial value, whatever `crc` is.
   return bytes.empty() ? crc : libdeflate_crc32(crc, bytes.data(), bytes.size());
 }
 

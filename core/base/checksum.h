@@ -4,7 +4,7 @@
 
 namespace scantrove {
 
-/// CRC-32 (as of gzip) of `bytes`, continued from `crc`. Finds damage; no protection against intent.
+/// CRC-32 (as in gzip) of `bytes`, continued from `crc`. Detects damage, not tampering.
 [[nodiscard]] std::uint32_t crc32Of(std::span<const char> bytes, std::uint32_t crc = 0);
 
 }  // namespace scantrove

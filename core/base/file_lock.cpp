@@ -20,7 +20,7 @@ Result<FileLock> FileLock::take(const std::filesystem::path& path, const Error& 
                 "Give write permission to the folder, or use a copy of it.");
   }
   FileLock lock(file);
-  // Where a file system has no locks, going without is as good.
+  // Continue without lock on file systems that have none.
   if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return fail(taken);
   return lock;
 }

@@ -4,8 +4,7 @@
 
 namespace scantrove {
 
-/// The outcome of steps that are all tried, whatever became of those before: the first failure is kept, the
-/// others go to the log.
+/// Result of steps that all run, even after failures. Keeps the first failure and logs the others.
 class FirstError {
  public:
   void note(const Result<void>& step) {

@@ -4,25 +4,25 @@
 
 namespace scantrove {
 
-/// A file by its identity, whatever becomes of its name. Takes no lock, and closing it releases none (POSIX
-/// record locks of a process end when it closes any ordinary descriptor of the file). One thread.
+/// A file identified by its inode, even when its name changes. Takes no lock, and closing it releases none.
+/// (POSIX record locks of a process end when it closes any ordinary descriptor of the file.) One thread.
 class HeldFile {
  public:
   enum class Place {
     same,      ///< found under its name
-    removed,   ///< has no name any more
+    removed,   ///< no longer has a name
     moved,     ///< has another name
     replaced,  ///< another file has its name
   };
 
-  /// None: there is no such file, or it is a symbolic link.
+  /// None: no such file, or a symbolic link.
   [[nodiscard]] static std::optional<HeldFile> hold(const std::filesystem::path& path);
   HeldFile(HeldFile&& other) noexcept;
   HeldFile& operator=(HeldFile&& other) noexcept;
   ~HeldFile();
 
   [[nodiscard]] Place place() const;
-  /// The name that it has now. Empty: none, or it is not known.
+  /// Its current name. Empty: none, or unknown.
   [[nodiscard]] std::filesystem::path nameNow() const;
 
  private:
@@ -32,7 +32,7 @@ class HeldFile {
   int file_ = -1;
 };
 
-/// Whether `path` names the file that is open as `descriptor`.
+/// Whether `path` names the file open as `descriptor`.
 [[nodiscard]] bool isNameOf(const std::filesystem::path& path, int descriptor);
 
 }  // namespace scantrove

@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// An integer that names one kind of thing only. Value 0 means "none" for every kind.
+/// A typed integer id. Value 0 means "none" for every type.
 template <class Tag>
 struct Id {
   std::uint32_t value = 0;
@@ -14,10 +14,9 @@ struct Id {
 };
 
 using SegmentId = Id<struct SegmentTag>;    ///< a segment of one frame (S_t)
-using FragmentId = Id<struct FragmentTag>;  ///< what a voxel of the label cloud holds; 24 bits
-using RegionId =
-    Id<struct RegionTag>;  ///< fragments that are one thing; its identity outlives joins and parts
-using ObjectId = Id<struct ObjectTag>;  ///< a row of the catalogue's table `objects`
+using FragmentId = Id<struct FragmentTag>;  ///< stored in the voxels; 24 bits
+using RegionId = Id<struct RegionTag>;      ///< a set of fragments; its identity survives merges and splits
+using ObjectId = Id<struct ObjectTag>;      ///< a row of the catalogue's table `objects`
 
 }  // namespace scantrove
 

@@ -52,7 +52,7 @@ bool isControl(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 
 
 bool isDigit(char32_t c) { return c >= U'0' && c <= U'9'; }
 
-/// Applies what holds for names and categories alike. The result may be empty.
+/// Applies the rules shared by names and categories. The result may be empty.
 Result<std::u32string> trimmedLine(std::string_view text, const std::string& kind) {
   const std::optional<std::u32string> points = decodeUtf8(text);
   if (!points) return fail("The " + kind + " is not UTF-8 text.", "Type it again.");

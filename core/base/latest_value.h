@@ -5,8 +5,8 @@
 
 namespace scantrove {
 
-/// A mailbox for one immutable value: a newer one replaces what was not collected. The writer never waits
-/// for the reader, and nothing queues up. Any thread may call anything.
+/// A mailbox for one immutable value; a newer value replaces an uncollected one. The writer never waits for
+/// the reader, and nothing queues up. Any thread may call any function.
 template <class T>
 class LatestValue {
  public:
@@ -15,7 +15,7 @@ class LatestValue {
     value_ = std::move(value);
   }
 
-  /// The newest value not yet collected, or null. Empties the box.
+  /// Takes the newest uncollected value; null if empty.
   [[nodiscard]] std::shared_ptr<const T> collect() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(value_, nullptr);

@@ -13,7 +13,7 @@
 namespace scantrove {
 namespace {
 
-/// Messages hold names of files, and those may hold anything.
+/// Messages contain file names, which may contain any bytes.
 class MessageForTerminal : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {

@@ -3,8 +3,8 @@
 
 namespace scantrove {
 
-/// Sends spdlog's default logger to stderr (results own stdout) at the level of SCANTROVE_LOG
-/// (trace, debug, info, warn, error, off; default warn).
+/// Sets spdlog's default logger to stderr (stdout is for results) and the level of SCANTROVE_LOG (trace,
+/// debug, info, warn, error, off; default warn).
 void initializeLog();
 
 }  // namespace scantrove

@@ -2,7 +2,7 @@
 
 namespace scantrove {
 
-/// Several functions as one, for std::visit.
+/// Combines several functions into one visitor for std::visit.
 template <class... Handlers>
 struct Overloaded : Handlers... {
   using Handlers::operator()...;

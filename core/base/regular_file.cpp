@@ -30,7 +30,7 @@ Result<void> checkMode(const std::filesystem::path& file, mode_t mode) {
 
 class OpenFile {
  public:
-  // Not to wait is for the case that a pipe takes the file's place after it was looked at.
+  // Open without blocking, in case a pipe replaced the file after the check.
   explicit OpenFile(const std::filesystem::path& file)
       : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
   OpenFile(const OpenFile&) = delete;
@@ -67,7 +67,7 @@ Result<std::string> readFile(const std::filesystem::path& file, std::size_t limi
   std::string bytes;
   const auto expected = static_cast<std::size_t>(status.st_size);
   while (bytes.size() < limit) {
-    // One byte more than expected, so that a file that did not grow is read in one piece.
+    // One byte more than expected, so that an unchanged file is read in one piece.
     constexpr std::size_t kMinPiece = 4096;
     const std::size_t had = bytes.size();
     const std::size_t missing = expected >= had ? expected - had + 1 : 0;

@@ -5,13 +5,13 @@
 
 namespace scantrove {
 
-/// A failure of the world (file, device, database, camera) in words for the person at the screen:
-/// what happened and to what, and what to do about it.
+/// A runtime failure (file, device, database, camera), in words for the user: what happened to which thing,
+/// and what to do about it.
 struct Error {
   std::string what;    ///< one sentence that names the file, device or value
-  std::string advice;  ///< what the person can do; may be empty
+  std::string advice;  ///< what the user can do; may be empty
 
-  /// "what advice", ready to show.
+  /// "what advice", for display.
   [[nodiscard]] std::string message() const { return advice.empty() ? what : what + " " + advice; }
 };
 
@@ -23,13 +23,13 @@ using Result = tl::expected<T, Error>;
   return tl::unexpected<Error>(Error{std::move(what), std::move(advice)});
 }
 
-/// Hands a failure on to the caller: `return fail(result.error());`
+/// Passes a failure to the caller: `return fail(result.error());`
 [[nodiscard]] inline tl::unexpected<Error> fail(Error error) {
   return tl::unexpected<Error>(std::move(error));
 }
 
-/// Moves what `result` holds into `target`; a failure is handed on:
-/// `SCANTROVE_TRY(moveInto(member_, Thing::create()));`
+/// Moves the value of `result` into `target`, or returns its failure: `SCANTROVE_TRY(moveInto(member_,
+/// Thing::create()));`
 template <class Target, class Value>
 [[nodiscard]] Result<void> moveInto(Target& target, Result<Value> result) {
   if (!result) return fail(std::move(result).error());
@@ -39,7 +39,7 @@ template <class Target, class Value>
 
 }  // namespace scantrove
 
-/// Leaves the current function with the error of a `Result<void>`-like expression that failed.
+/// Returns from the current function with the error of a failed `Result<void>`-like expression.
 #define SCANTROVE_TRY(expression)                                                       \
   do {                                                                                  \
     if (auto scantrove_result = (expression); !scantrove_result) {                      \

@@ -4,12 +4,13 @@
 
 namespace scantrove {
 
-/// Where a value lies between the bins of a histogram in which each value counts in the two nearest.
+/// Linear interpolation between histogram bins: each value counts in the two nearest.
 struct SoftBin {
   std::size_t bin;     ///< the lower of the two
-  float lower, upper;  ///< shares of that bin and of the next; their sum is 1
+  float lower, upper;  ///< weights of that bin and of the next; their sum is 1
 
-  /// `place`: in bins, 0 at the middle of the first; values beyond the first or last of `bins` count there.
+  /// `place`: in bins, 0 at the middle of the first; values outside are clamped to the first or last of
+  /// `bins`.
   [[nodiscard]] static SoftBin at(float place, std::size_t bins) {
     constexpr float kBelowLast = 1e-3F;  // keeps the upper bin inside
     const float inside = std::clamp(place, 0.0F, static_cast<float>(bins - 1) - kBelowLast);

@@ -15,21 +15,21 @@ struct DurationSummary {
 
 [[nodiscard]] DurationSummary summarize(std::vector<double> durations_ms);
 
-/// Wall time of the named stages of one frame, in call order, and of the frames so far: of all, or in a long
-/// scan of so many that are spread evenly over it. One thread.
+/// Wall time of the named stages of the current frame, in call order, and of all frames. A long scan keeps at
+/// most kMaxFrames, spread evenly over it. One thread.
 class StageTimer {
  public:
-  static constexpr std::size_t kMaxFrames = 8192;  ///< that are kept of a stage
+  static constexpr std::size_t kMaxFrames = 8192;  ///< kept per stage
 
   struct Stage {
     std::string name;
     double last_ms = 0;
     std::vector<double> all_ms;
-    std::vector<std::size_t> frames;  ///< of each of these, counted from 0
+    std::vector<std::size_t> frames;  ///< frame numbers of `all_ms`, counted from 0
     std::size_t runs = 0;             ///< kept or not
-    std::size_t every = 1;            ///< so many runs one is kept
+    std::size_t every = 1;            ///< one of so many runs is kept
 
-    /// Half as many from now on, and of those that are kept.
+    /// Halves the stored samples and the rate of new ones.
     void thinOut();
   };
 
@@ -40,10 +40,10 @@ class StageTimer {
     return std::forward<Work>(work)();
   }
 
-  /// Adds to the named stage of the current frame (a stage may run in several pieces).
+  /// Adds to a stage of the current frame (a stage may run in several pieces).
   void add(std::string_view name, double duration_ms);
 
-  /// Ends the frame: what ran may gain an entry in `all_ms`.
+  /// Ends the frame: stages that ran may gain an entry in `all_ms`.
   void endFrame();
 
   [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
@@ -77,15 +77,15 @@ class StageTimer {
   std::size_t frames_ = 0;
 };
 
-/// A frame that took long, and the stage that was the farthest above its own median.
+/// A slow frame, and the stage that exceeded its own median most.
 struct SlowFrame {
   std::size_t frame = 0;  ///< counted from 0
-  double total_ms = 0;    ///< of all stages
+  double total_ms = 0;    ///< total of all stages
   std::string stage;
   double stage_ms = 0;
 };
 
-/// At most so many, the slowest first.
+/// At most `most` frames, slowest first.
 [[nodiscard]] std::vector<SlowFrame> slowestFrames(const std::vector<StageTimer::Stage>& stages,
                                                    std::size_t most);
 

@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// The numbers of a text separated by blanks or commas ("nan" and "inf" included), in any locale; empty if
-/// something is no number.
+/// Parses numbers separated by blanks or commas ("nan" and "inf" included), in any locale; empty if something
+/// is no number.
 [[nodiscard]] std::optional<std::vector<double>> parseNumbers(std::string_view text);
 
 /// The lines of a text, without line ends.
@@ -17,11 +17,11 @@ namespace scantrove {
 /// `text` without blanks at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// `text` for a terminal: control characters but line feeds become '?', and text of over `longest` bytes is
+/// `text` for a terminal: control characters except line feeds become '?'. Text of over `longest` bytes is
 /// cut between UTF-8 characters and ends in "...".
 [[nodiscard]] std::string forTerminal(std::string_view text, std::size_t longest = 2000);
 
-/// The whole of `digits` as a non-negative number below 10^9; empty otherwise.
+/// `digits` as a non-negative number below 10^9; empty otherwise.
 [[nodiscard]] std::optional<int> parseFrameNumber(std::string_view digits);
 
 }  // namespace scantrove

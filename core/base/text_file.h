@@ -6,8 +6,8 @@
 
 namespace scantrove {
 
-/// The text of a regular file, without the byte order mark that some editors write before it. Error: as
-/// readFile, or a text of 16 bits a letter (UTF-16), which these editors write as well.
+/// Reads a text file without its byte order mark, which some editors write. Error: as readFile, or UTF-16
+/// text, which these editors write as well.
 [[nodiscard]] Result<std::string> readTextFile(const std::filesystem::path& file);
 
 }  // namespace scantrove

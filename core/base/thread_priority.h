@@ -2,18 +2,18 @@
 
 namespace scantrove {
 
-/// How far threads give way to the others where there are more of them than cores, as nice(2) counts: the
-/// larger, the later. All that are not named here have that of the program.
+/// Thread priorities as nice(2) values: larger values get less processor time when there are more threads
+/// than cores. Threads not listed here keep the program's priority.
 enum class Niceness {
   none = 0,
-  scan_beside_window = 3,  ///< a window that must wait for a core answers late; the scan hardly loses by it
+  scan_beside_window = 3,  ///< keeps the window responsive; the scan hardly slows down
   catalogue_writer = 5,    ///< frames come first
   session_writer = 5,      ///< likewise
-  label_writer = 10,       ///< takes what the frames leave idle
+  label_writer = 10,       ///< uses idle time between frames
 };
 
-/// The calling thread and those that it starts from now on. On Linux a thread has a priority of its own;
-/// elsewhere nothing happens.
+/// Sets the priority of the calling thread and of threads it starts later. Linux only (priorities per
+/// thread); no effect elsewhere.
 void lowerThreadPriority(Niceness niceness);
 
 }  // namespace scantrove

@@ -2,8 +2,8 @@
 
 namespace scantrove {
 
-/// Whether the program must end within seconds, as a signal asked for: what can be left out is, and nothing
-/// waits for other programs. Of the process, like the signal. Any thread.
+/// Whether a signal requested the program to end within seconds: it skips optional work and waits for no
+/// other program. State of the process. Any thread.
 void setEndUrgent(bool is_urgent);
 [[nodiscard]] bool isEndUrgent();
 

@@ -22,7 +22,7 @@ using MutableBytes = std::span<std::uint8_t>;
 
 constexpr std::uint8_t kUpright = 1;
 
-/// Makes the orientation of a TIFF directory, as Exif is one, upright. Whether it was another.
+/// Sets the orientation in a TIFF directory (Exif) to upright. Returns whether it was another.
 bool clearTiffOrientation(MutableBytes tiff) {
   constexpr std::uint32_t kOrientation = 0x0112;
   constexpr std::size_t kEntryBytes = 12;
@@ -50,7 +50,7 @@ bool clearTiffOrientation(MutableBytes tiff) {
   return is_changed;
 }
 
-/// The same of XMP: `tiff:Orientation="6"`, or `<tiff:Orientation>6<`.
+/// The same for XMP: `tiff:Orientation="6"`, or `<tiff:Orientation>6<`.
 bool clearXmpOrientation(MutableBytes xmp) {
   constexpr std::string_view kName = "tiff:Orientation";
   const std::string_view text = textOf(xmp);
@@ -64,7 +64,7 @@ bool clearXmpOrientation(MutableBytes xmp) {
   return is_changed;
 }
 
-/// In the segments before the pixels.
+/// Processes the segments before the pixels.
 void clearJpegOrientation(MutableBytes jpeg) {
   constexpr std::uint8_t kMarker = 0xFF, kApplication1 = 0xE1, kStartOfScan = 0xDA;
   constexpr std::string_view kExif{"Exif\0", 5};
@@ -89,7 +89,8 @@ void clearJpegOrientation(MutableBytes jpeg) {
   }
 }
 
-/// What programs look into for an orientation, where it cannot simply be changed: compressed, or as digits.
+/// Chunks in which programs look for an orientation and in which it cannot simply be replaced: compressed, or
+/// as digits.
 bool isHiddenMetadata(Bytes content) {
   using namespace std::string_view_literals;
   constexpr std::array kNames{"Raw profile type exif\0"sv, "Raw profile type APP1\0"sv,
@@ -123,7 +124,7 @@ std::string clearPngOrientation(std::string& png) {
   return kept.append(png, at);
 }
 
-/// Without one of its colors being declared transparent.
+/// Whether none of its colours is declared transparent.
 bool isPlainPng(Bytes png) {
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> decoder(spng_ctx_new(0), &spng_ctx_free);
   spng_ihdr header{};

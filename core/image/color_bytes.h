@@ -5,12 +5,12 @@
 
 namespace scantrove {
 
-/// Whether the bytes are a JPEG or a PNG of three channels of 8 bits: what every program reads alike.
+/// Whether the bytes are a JPEG or a PNG of three channels of 8 bits, which every program reads alike.
 [[nodiscard]] bool isPlainColor(std::span<const std::uint8_t> bytes);
 
-/// The bytes of a JPEG or PNG without what tells other programs to turn or mirror it (Exif, XMP): the image
-/// is then, for all of them, what its pixels are, and what its camera belongs to. The compressed pixels stay
-/// the same bytes, as does an image that says nothing or "upright"; other formats stay as they are.
+/// Removes orientation tags (Exif, XMP) from a JPEG or PNG, so that every program shows the pixels as the
+/// camera model describes them. Compressed pixels stay the same bytes. Images without a tag or tagged
+/// "upright", and other formats, stay unchanged.
 [[nodiscard]] std::string withoutOrientation(std::string bytes);
 
 }  // namespace scantrove

@@ -6,12 +6,12 @@
 
 namespace scantrove {
 
-/// The bytes as text, to search and compare.
+/// The bytes as text, for searching and comparing.
 [[nodiscard]] inline std::string_view textOf(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// A number of `count` bytes, at most 4, at any place; 0 beyond the end.
+/// A number of `count` bytes, at most 4, at any offset; 0 beyond the end.
 [[nodiscard]] inline std::uint32_t numberAt(std::span<const std::uint8_t> bytes, std::size_t at,
                                             std::size_t count, bool is_big_endian) {
   std::uint32_t value = 0;

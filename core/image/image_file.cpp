@@ -23,7 +23,7 @@ Bytes bytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Refuses what is too large before it is read whole.
+/// Refuses images that are too large before reading them completely.
 Result<std::string> readImageBytes(const std::filesystem::path& file) {
   auto start = readFile(file, kImageHeaderBytes);
   if (!start) {
@@ -42,7 +42,7 @@ Result<cv::Mat> readImage(const std::filesystem::path& file, Decode& decode) {
   return bytes ? decode(bytesOf(*bytes), file.string()) : fail(bytes.error());
 }
 
-/// The format, once it is sure that decoding is worth trying.
+/// Returns the format after checks that precede decoding.
 Result<ImageFormat> checkImage(Bytes bytes, const std::string& name) {
   if (bytes.empty()) return fail(name + " is empty.");
   const auto format = imageFormat(bytes);
@@ -57,11 +57,11 @@ Result<ImageFormat> checkImage(Bytes bytes, const std::string& name) {
   return *format;
 }
 
-/// By OpenCV. `flags`: cv::ImreadModes.
+/// Decodes with OpenCV. `flags`: cv::ImreadModes.
 Result<cv::Mat> decodeOther(Bytes bytes, int flags, const std::string& name) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
-  // OpenCV reads a number of a text PNM by the blank behind it, which the last one may lack.
+  // OpenCV ends a number of a text PNM at the next blank, which may be missing at the end of the file.
   const bool is_text = bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '3';
   if (is_text) copy.push_back('\n');
   std::string reason;

@@ -32,8 +32,8 @@ ImageSize jpegSize(Bytes bytes) {
 
 struct PnmHeader {
   ImageSize size;
-  std::uint32_t largest_value = 1;  ///< of a bitmap, which does not tell
-  std::uint64_t bytes = 0;          ///< of the header; the pixels follow
+  std::uint32_t largest_value = 1;  ///< 1 for bitmaps, whose header has none
+  std::uint64_t bytes = 0;          ///< size of the header, before the pixels
 };
 
 /// "P5", width, height and largest value, separated by blanks and lines of comment; one blank follows.
@@ -57,7 +57,7 @@ PnmHeader readPnmHeader(Bytes bytes) {
   return header;
 }
 
-/// The height is negative where rows run from the top.
+/// The height is negative if rows run from top to bottom.
 ImageSize bmpSize(Bytes bytes) {
   const auto number = [&](std::size_t at, std::size_t count) { return numberAt(bytes, at, count, false); };
   constexpr std::uint32_t kOldHeader = 12;
@@ -66,7 +66,7 @@ ImageSize bmpSize(Bytes bytes) {
   return {number(18, 4), static_cast<std::uint32_t>(std::abs(std::int64_t{height}))};
 }
 
-/// Tags 256 and 257 of the first directory, which may lie anywhere in the file.
+/// Reads tags 256 and 257 of the first directory, which may be anywhere in the file.
 ImageSize tiffSize(Bytes bytes) {
   const auto number = [&](std::size_t at, std::size_t count) {
     return numberAt(bytes, at, count, bytes[0] == 'M');

@@ -8,14 +8,13 @@
 
 namespace scantrove {
 
-/// The formats of images that are read.
+/// Supported image formats.
 enum class ImageFormat { png, jpeg, pnm, bmp, tiff };
 
-/// Bytes at the start of a file in which the header usually lies (a JPEG may carry a thumbnail before it).
+/// Bytes at the start of a file that usually contain the header (in a JPEG, a thumbnail may precede it).
 inline constexpr std::size_t kImageHeaderBytes = 1 << 16;
 
-/// The most pixels of an image that is read, and the longest side: beyond any depth camera, and decoded in
-/// well under a second.
+/// Maximum pixels and longest side of images: beyond any depth camera, and decoded in well under a second.
 inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{4096} * 4096;
 inline constexpr std::uint32_t kLongestImageSide_px = 8192;
 
@@ -24,18 +23,18 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-/// The format that the first bytes of a file tell; empty if it is none of ours.
+/// The format according to a file's first bytes; empty if unsupported.
 [[nodiscard]] std::optional<ImageFormat> imageFormat(std::span<const std::uint8_t> bytes);
 
-/// The size that an image's header tells, without decoding; empty if the header is not among the bytes or
-/// makes no sense. PNM, BMP and TIFF are parsed here: OpenCV, which decodes them, allocates what a header
-/// claims, up to three gigabytes, and its limits cannot be set by a program.
+/// The size in an image's header, without decoding; empty if the header is incomplete or invalid. PNM, BMP
+/// and TIFF are parsed here because OpenCV, which decodes them, allocates any size a header claims, up to
+/// three gigabytes. A program cannot set its limits.
 [[nodiscard]] std::optional<ImageSize> imageSize(std::span<const std::uint8_t> bytes);
 
-/// The bytes that a PNM or BMP has at least by its header; 0 for other formats and PNM as text.
+/// Minimum bytes of a PNM or BMP according to its header; 0 for other formats and PNM as text.
 [[nodiscard]] std::uint64_t leastImageBytes(std::span<const std::uint8_t> bytes);
 
-/// Error: the image `name` is empty or larger than what is read; says what fits.
+/// Error: the image `name` is empty or exceeds the limits; names them.
 [[nodiscard]] Result<void> checkImageSize(const ImageSize& size, const std::string& name);
 
 }  // namespace scantrove

@@ -20,7 +20,7 @@ using Decoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, decltype(&tjDes
 
 std::optional<JpegHeader> readHeader(tjhandle decoder, Bytes bytes) {
   int width = 0, height = 0, subsampling = 0, colors = -1;
-  // The returned value is also an error where only the subsampling has no name.
+  // The function also fails if only the subsampling is unknown.
   tjDecompressHeader3(decoder, bytes.data(), static_cast<unsigned long>(bytes.size()), &width, &height,
                       &subsampling, &colors);
   if (colors < 0) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<JpegHeader> readHeader(tjhandle decoder, Bytes bytes) {
                     colors == TJCS_CMYK || colors == TJCS_YCCK};
 }
 
-/// After these warnings the image is what was recorded.
+/// Warnings that leave the pixels intact.
 bool isHarmless(std::string_view warning) {
   constexpr std::array kTexts{"extraneous bytes before marker", "too many scanlines", "Adobe color transform",
                               "Inconsistent progression sequence"};
@@ -37,14 +37,15 @@ bool isHarmless(std::string_view warning) {
                      [&](std::string_view text) { return warning.find(text) != std::string_view::npos; });
 }
 
-/// Whether an end marker follows the last start of pixels: of several warnings TurboJPEG tells the first.
+/// Whether an end marker follows the last start of pixels, because TurboJPEG reports only the first of
+/// several warnings.
 bool isEnded(Bytes jpeg) {
   const std::size_t end = textOf(jpeg).rfind("\xFF\xD9");
   return end != std::string_view::npos && end > textOf(jpeg).rfind("\xFF\xDA");
 }
 
-/// Whether the file has Adobe's marker: CMYK is stored as light instead of ink. Compressed pixels never look
-/// like it.
+/// Whether the file has Adobe's marker: CMYK is then stored inverted. Compressed pixels cannot contain its
+/// bytes.
 bool isByAdobe(Bytes jpeg) {
   using namespace std::string_view_literals;
   return textOf(jpeg).find("\xFF\xEE\0\016Adobe"sv) != std::string_view::npos;
@@ -64,7 +65,7 @@ cv::Mat cmykToBgr(const cv::Mat& cmyk, bool is_light) {
   return bgr;
 }
 
-/// The pixels as TurboJPEG gives them: BGR or CMYK. Error: its reason; empty where the file is truncated.
+/// Pixels as TurboJPEG returns them: BGR or CMYK. Error: its reason; empty if the file is truncated.
 tl::expected<cv::Mat, std::string> decode(Bytes bytes) {
   const Decoder decoder(tjInitDecompress(), &tjDestroy);
   const auto header = readHeader(decoder.get(), bytes);

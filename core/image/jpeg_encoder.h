@@ -4,8 +4,8 @@
 
 namespace scantrove {
 
-/// The bytes of a JPEG of `bgr` (CV_8UC3, not empty), with 4:2:0 subsampling. `quality`: 1 to 100. Throws
-/// std::runtime_error where TurboJPEG cannot (more than 65,500 pixels in a row, no memory). Any thread.
+/// Encodes `bgr` (CV_8UC3, not empty) as JPEG with 4:2:0 subsampling. `quality`: 1 to 100. Throws
+/// std::runtime_error where TurboJPEG fails (more than 65,500 pixels in a row, no memory). Any thread.
 [[nodiscard]] std::string encodeJpeg(const cv::Mat& bgr, int quality);
 
 }  // namespace scantrove

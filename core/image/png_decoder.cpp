@@ -14,7 +14,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Of a chunk other than pixels, and of all of them, inflated: more than any color profile or XMP.
+/// Limit of non-pixel chunks, each and together, inflated: more than any colour profile or XMP.
 constexpr std::size_t kMaxMetadataBytes = 16 << 20;
 
 class PngDecoder {
@@ -59,7 +59,7 @@ class PngDecoder {
     cv::Mat image(static_cast<int>(header_.height), static_cast<int>(header_.width), type);
     SCANTROVE_TRY(
         check(spng_decode_image(context_.get(), image.data, image.total() * image.elemSize(), format, 0)));
-    // A truncated file lacks its end, or as little as the end's checksum, which libspng does not read.
+    // A truncated file may lack only the last chunk's checksum, which libspng does not read.
     SCANTROVE_TRY(check(spng_decode_chunks(context_.get())));
     if (bytes_.size() < textOf(bytes_).rfind("IEND") + 8) return truncated();
     return image;

@@ -8,15 +8,15 @@
 
 namespace scantrove {
 
-/// Decodes any PNG to CV_8UC3, BGR: 16 bits are cut to 8, grey is spread, transparency is left out. Error:
-/// `name` and libspng's reason.
+/// Decodes any PNG to CV_8UC3, BGR: 16 bits are reduced to 8, grey is replicated, transparency is dropped.
+/// Error: `name` and libspng's reason.
 [[nodiscard]] Result<cv::Mat> decodeColorPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Decodes a PNG of one channel to CV_8UC1 or CV_16UC1, interlaced or not. Error: `name` and libspng's
-/// reason; a PNG of other channels, with how many it has.
+/// Decodes a one-channel PNG to CV_8UC1 or CV_16UC1, interlaced or not. Error: `name` and libspng's reason;
+/// or the number of channels if not one.
 [[nodiscard]] Result<cv::Mat> decodeGrayPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Decodes a PNG of one channel as decodeGrayPng does, and any other as decodeColorPng does.
+/// Decodes a one-channel PNG as decodeGrayPng does, and any other as decodeColorPng does.
 [[nodiscard]] Result<cv::Mat> decodeAnyPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace scantrove

@@ -20,7 +20,7 @@ void require(int error) {
     throw std::runtime_error(std::string("an image could not be encoded (") + spng_strerror(error) + ")");
 }
 
-/// The pixels without gaps between the rows, in the order of a PNG's channels.
+/// Pixels without row padding, in a PNG's channel order.
 cv::Mat asStored(const cv::Mat& image) {
   cv::Mat stored;
   if (image.channels() == 3) {

@@ -4,9 +4,9 @@
 
 namespace scantrove {
 
-/// The bytes of a PNG of `image`, not empty: CV_8UC1, CV_16UC1, or CV_8UC3 as BGR. For speed every row is
-/// stored as its difference to the row above, deflated at the lowest level as runs. Throws std::runtime_error
-/// where it is larger than images that are read (checkImageSize). Any thread.
+/// Encodes a non-empty `image` as PNG: CV_8UC1, CV_16UC1, or CV_8UC3 as BGR. For speed it filters every row
+/// by the row above and deflates runs at the lowest level. Throws std::runtime_error if the image exceeds
+/// checkImageSize. Any thread.
 [[nodiscard]] std::string encodePng(const cv::Mat& image);
 
 }  // namespace scantrove
