@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// One change of one object. CatalogueModel decides changes, the database keeps them as its events, running
-/// scans and the window follow them.
+/// One change of one object. CatalogueModel decides changes, the database stores them as events, and
+/// running scans and the window follow them.
 struct CatalogueChange {
   enum class Kind : std::uint8_t {
     added,
@@ -20,28 +20,28 @@ struct CatalogueChange {
     restored,
     merged,
     unmerged,
-    views_discarded  ///< some of its views are no longer of it
+    views_discarded  ///< some of its views belong to another object now
   };
   Kind kind = Kind::added;
-  ObjectState before, after;  ///< of one object; of added objects and of views no more than the id is known
+  ObjectState before, after;  ///< of one object; added objects and views have only their id
   std::int64_t view = 0;      ///< of view_added
-  ObjectId part = {};         ///< of views_discarded by an unmerge: what they are of now
+  ObjectId part = {};         ///< of views_discarded by an unmerge: the object that has the views now
 
   [[nodiscard]] ObjectId object() const { return after.id; }
-  /// The other object of merged and unmerged; none: there is no other.
+  /// The other object of a merge or unmerge; none for other kinds.
   [[nodiscard]] ObjectId mergeTarget() const {
     return kind == Kind::unmerged ? before.merged_into : after.merged_into;
   }
-  /// Views have changed hands, or an object was deleted or restored.
+  /// Whether views changed their owner, or an object was deleted or restored.
   [[nodiscard]] bool movesViews() const {
     return kind == Kind::removed || kind == Kind::restored || kind == Kind::merged || kind == Kind::unmerged;
   }
 };
 
-/// Changes in the order in which the database took them.
+/// Changes in the order in which the database committed them.
 struct CatalogueChanges {
   std::vector<CatalogueChange> changes;
-  std::int64_t last_event = 0;  ///< where the next question goes on
+  std::int64_t last_event = 0;  ///< where the next query continues
 };
 
 }  // namespace scantrove

@@ -16,24 +16,24 @@ struct CataloguePosition {
   std::int64_t view = 0;   ///< newest view whose descriptor was read
 };
 
-/// What users and other programs did to the catalogue, and how it is now.
+/// Changes by users and other programs, and the resulting state.
 struct CatalogueEdits {
   std::vector<CatalogueChange> changes;
-  std::vector<ObjectState> objects;     ///< of all objects; empty: as before, but for `changes`
+  std::vector<ObjectState> objects;     ///< of all objects; empty: only `changes` apply
   std::vector<ObjectRecord> records;    ///< of visible objects that changed
-  std::vector<StoredDescriptor> views;  ///< that are new
+  std::vector<StoredDescriptor> views;  ///< new ones
 
   [[nodiscard]] bool isEmpty() const { return changes.empty() && objects.empty() && records.empty(); }
 };
 
-/// What the catalogue's thread reports to the scan. `key`: the id by which the scan asked for it; all others
-/// are those of the database.
+/// Reports of the catalogue's thread to the scan. `key`: the id that the scan requested the object by. All
+/// other ids are those of the database.
 namespace event {
 struct ObjectStored {
   ObjectId key;
   ObjectRecord record;
 };
-/// It never will be; why is part of what CatalogueWriter::finish says.
+/// The job is given up; CatalogueWriter::finish reports why.
 struct ObjectRefused {
   ObjectId key;
 };
@@ -41,7 +41,7 @@ struct ViewStored {
   ObjectId key;
   ObjectId root;
 };
-/// Its object was deleted meanwhile, or it cannot be stored.
+/// The object was deleted meanwhile, or the view cannot be stored.
 struct ViewDropped {
   ObjectId key;
 };
@@ -49,32 +49,32 @@ struct MergeStored {
   ObjectMerge merge;
   std::optional<ObjectRecord> root;  ///< none: hidden by now
 };
-/// Persons settled both objects meanwhile, or one of them is gone. Edits that say how it is follow.
+/// Users settled both objects meanwhile, or one of them is gone. Edits with the current state follow.
 struct MergeDropped {};
-/// A person's name for an object is stored. Edits that say how it is follow.
+/// A user's name for an object is stored. Edits with the current state follow.
 struct NameStored {
   ObjectId key;
-  int number = 0;  ///< by which the scan knows the naming
+  int number = 0;  ///< the scan's number of the naming
   ObjectNaming naming;
 };
-/// The object was deleted meanwhile, or another one is called so. Edits that say how it is follow.
+/// The object was deleted meanwhile, or another has the name. Edits with the current state follow.
 struct NameDropped {
   ObjectId key;
   std::optional<Error> why;  ///< none: it was deleted
 };
-/// A person's name was taken back, as far as nobody has said otherwise since. Edits follow.
+/// A user's name was reverted, except for later changes by others. Edits follow.
 struct NameTakenBack {
   ObjectId object;
 };
-/// Views of it showed something else in the end, and are not of it any more. Edits follow.
+/// Views of the object showed something else and were removed from it. Edits follow.
 struct ViewsDiscarded {
   ObjectId object;
-  bool is_removed = false;  ///< they were all that there was
+  bool is_removed = false;  ///< the object had no other views
 };
 struct Edited {
   CatalogueEdits edits;
 };
-/// The catalogue cannot be read or written for now. Said once until all works again.
+/// The catalogue cannot be read or written now. Reported once until it works again.
 struct Failed {
   Error error;
 };

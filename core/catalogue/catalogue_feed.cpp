@@ -5,11 +5,11 @@
 
 namespace scantrove {
 
-/// What some changes of the database are about. What the scan did itself is taken out.
+/// Sorts changes of the database by what they need. The scan's own changes are taken out.
 struct CatalogueFeed::Following {
   const CatalogueFeed& feed;
-  std::set<ObjectId> first_views = feed.first_views_;                          ///< that are still to come
-  std::multiset<std::pair<ObjectId, ObjectId>> own_merges = feed.own_merges_;  ///< likewise
+  std::set<ObjectId> first_views = feed.first_views_;                          ///< still expected
+  std::multiset<std::pair<ObjectId, ObjectId>> own_merges = feed.own_merges_;  ///< still expected
   std::vector<std::int64_t> own_first_views = {};
   std::vector<CatalogueChange> changes = {};  ///< by others
 
@@ -61,7 +61,7 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
   for (const ObjectId object : changed) SCANTROVE_TRY(readRecord(object, edits));
   own_views_.insert(following.own_first_views.begin(), following.own_first_views.end());
   if (has_views) SCANTROVE_TRY(readViews(edits, now.view));
-  // All was read: from here on nothing fails.
+  // Everything is read: nothing can fail from here on.
   for (const CatalogueChange& change : edits.changes) {
     if (change.kind == CatalogueChange::Kind::unmerged)
       kept_apart_.insert(std::minmax(change.object(), change.mergeTarget()));
@@ -86,7 +86,7 @@ Result<void> CatalogueFeed::readRecord(ObjectId object, CatalogueEdits& edits) {
     edits.records.push_back(std::move(*record));
     return {};
   }
-  // It cannot be read because it is hidden?
+  // It cannot be read, perhaps because it is hidden.
   const Result<ObjectId> root = database_.mergeRoot(object);
   return root && *root != object ? Result<void>() : fail(record.error());
 }

@@ -11,14 +11,14 @@
 
 namespace scantrove {
 
-/// Reads what became of the catalogue: what others did since the last call. What this scan stored itself it
-/// knows already; expect...() leaves that out. One thread, the database's.
+/// Reads the changes of the catalogue by others since the last call. The scan's own changes are announced
+/// with expect...() and left out. One thread, the database's.
 class CatalogueFeed {
  public:
-  /// The database outlives the feed.
+  /// The database outlives this.
   CatalogueFeed(ObjectDatabase& database, CataloguePosition from) : database_(database), position_(from) {}
 
-  /// With its first view.
+  /// Also expects the object's first view.
   void expectObject(ObjectId object) {
     own_objects_.insert(object);
     first_views_.insert(object);
@@ -26,24 +26,24 @@ class CatalogueFeed {
   void expectView(std::int64_t view) { own_views_.insert(view); }
   void expectMerge(const ObjectMerge& merge);
 
-  /// Far below a millisecond when nothing happened, or when a user renamed or confirmed. On an error
-  /// nothing is lost: the next call goes on.
+  /// Takes far below a millisecond if nothing changed or a user only renamed or confirmed. Nothing is lost
+  /// on an error: the next call continues.
   [[nodiscard]] Result<CatalogueEdits> follow();
 
-  /// How far the catalogue was followed.
+  /// How far the catalogue was read.
   [[nodiscard]] CataloguePosition position() const { return position_; }
 
-  /// The states of all objects and the records of some, as they are now.
+  /// The current states of all objects and the current records of some.
   [[nodiscard]] Result<CatalogueEdits> reread(std::span<const ObjectId> objects);
 
-  /// A user undid a merge of these two (by what was followed).
+  /// Whether a user undid a merge of these two, among the changes read.
   [[nodiscard]] bool areKeptApart(ObjectId a, ObjectId b) const {
     return kept_apart_.contains(std::minmax(a, b));
   }
 
  private:
   struct Following;
-  /// Nothing of a hidden object.
+  /// Reads nothing for a hidden object.
   [[nodiscard]] Result<void> readRecord(ObjectId object, CatalogueEdits& edits);
   [[nodiscard]] Result<void> readObjects(CatalogueEdits& edits);
   [[nodiscard]] Result<void> readViews(CatalogueEdits& edits, std::int64_t& last_view);
@@ -51,9 +51,9 @@ class CatalogueFeed {
   ObjectDatabase& database_;
   CataloguePosition position_;
   std::unordered_set<ObjectId> own_objects_;
-  std::set<ObjectId> first_views_;  // of own objects, until they were followed
+  std::set<ObjectId> first_views_;  // of own objects, until they are read
   std::unordered_set<std::int64_t> own_views_;
-  std::multiset<std::pair<ObjectId, ObjectId>> own_merges_;  // into, from; until they were followed
+  std::multiset<std::pair<ObjectId, ObjectId>> own_merges_;  // into, from; until they are read
   std::set<std::pair<ObjectId, ObjectId>> kept_apart_;       // smaller id first
 };
 

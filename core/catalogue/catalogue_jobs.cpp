@@ -12,7 +12,7 @@
 namespace scantrove {
 
 std::optional<std::pair<dev_t, ino_t>> CatalogueJobs::fileNow() const {
-  // Without opening it, which is SQLite's business alone (see ObjectDatabase).
+  // Does not open the file: only SQLite may (see ObjectDatabase).
   struct stat status {};
   if (::stat(options_.database.c_str(), &status) != 0) return std::nullopt;
   return std::pair(status.st_dev, status.st_ino);
@@ -47,7 +47,7 @@ Result<CatalogueJobs::Outcome> CatalogueJobs::attempt(CatalogueJob& job) {
   } catch (const std::bad_alloc&) {
     return fail(describeCurrentException(kActivity));
   } catch (const std::exception&) {
-    // A library cannot encode this; it would say the same the next time.
+    // An encoding error of a library would occur again at each repetition.
     const Error error = describeCurrentException(kActivity);
     return Outcome{refuse(job, error), error};
   }
@@ -87,8 +87,8 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddObject& job) {
   return Events{event::ObjectStored{job.view.object, std::move(*added)}};
 }
 
-// What a person did decides up to the moment in which something is stored: before, a job may have waited for
-// the very transaction in which it was done.
+// Edits of users count until the moment of storing. Therefore each check runs inside the transaction that
+// stores: a job may have waited for the transaction of such an edit.
 
 Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddView& job) {
   const ObjectId key = job.view.object, object = idOf(key);
@@ -100,7 +100,7 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddView& job) {
     is_deleted = !root;
     return is_deleted ? Result<void>(fail("Its object was deleted.")) : Result<void>();
   };
-  ObjectView view = job.view;  // images are shared
+  ObjectView view = job.view;  // shares the images
   view.object = object;
   view.session = session_;
   const Result<std::int64_t> stored = database_->addView(view, check);
@@ -112,7 +112,7 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddView& job) {
 }
 
 Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Merge& job) {
-  constexpr int kMaxTries = 8;  // by others' edits in between
+  constexpr int kMaxTries = 8;  // after concurrent edits by others
   for (int i = 0; i < kMaxTries; ++i) {
     const Result<std::vector<ObjectId>> pair = mergeRootsOf(job);
     if (!pair) return fail(pair.error());
@@ -157,7 +157,7 @@ Result<std::vector<ObjectId>> CatalogueJobs::mergeRootsOf(const job::Merge& job)
 }
 
 Result<bool> CatalogueJobs::mayMerge(const std::vector<ObjectId>& pair) {
-  // A person may have undone such a merge by now.
+  // A user may have undone such a merge by now.
   Result<CatalogueEdits> edits = feed_->follow();
   if (!edits) return fail(edits.error());
   if (!edits->isEmpty()) notify_({event::Edited{std::move(*edits)}});
@@ -236,7 +236,7 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::DiscardViews& jo
 
 Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::EndSession& /*job*/) {
   SCANTROVE_TRY(database_->sessions().end(session_));
-  // The last word on what this scan did; what cannot be read now is as it was known.
+  // The final report on this scan's jobs; unreadable objects keep their last known state.
   Events events;
   Result<CatalogueEdits> edits = feed_->follow();
   if (edits && !edits->isEmpty()) events.push_back(event::Edited{std::move(*edits)});

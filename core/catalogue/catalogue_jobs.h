@@ -20,11 +20,11 @@
 
 namespace scantrove {
 
-/// What a scan has the catalogue store. Objects are named by the scan's keys or by the database's ids.
+/// What a scan stores in the catalogue. Objects have the scan's keys or the database's ids.
 namespace job {
 struct BeginSession {};
 struct AddObject {
-  ObjectView view;  ///< by the key `view.object`
+  ObjectView view;  ///< `view.object` is the key
 };
 struct AddView {
   ObjectView view;
@@ -55,42 +55,42 @@ struct EndSession {};
 using CatalogueJob = std::variant<job::BeginSession, job::AddObject, job::AddView, job::Merge, job::Name,
                                   job::TakeNameBack, job::Withdraw, job::DiscardViews, job::EndSession>;
 
-/// Does the jobs of a scan in the catalogue, over a connection of its own: the part of CatalogueWriter that
-/// knows the database. One thread, the writer's, from open() to close().
+/// Executes a scan's jobs in the catalogue over its own connection: the database part of CatalogueWriter.
+/// One thread, the writer's, from open() to close().
 class CatalogueJobs {
  public:
   using Events = std::vector<CatalogueEvent>;
 
   struct Options {
     std::string database = {};              ///< as ObjectDatabase::open takes it
-    std::string source = {};                ///< of the session that is begun
-    std::optional<Intrinsics> camera = {};  ///< its depth camera, where it is known
-    std::int64_t session = 0;               ///< one that continues; 0: one is begun
-    std::map<ObjectId, ObjectId> ids = {};  ///< of the objects that it added, by key
+    std::string source = {};                ///< source of a new session
+    std::optional<Intrinsics> camera = {};  ///< the depth camera, if known
+    std::int64_t session = 0;               ///< the session to continue; 0: a new one begins
+    std::map<ObjectId, ObjectId> ids = {};  ///< of the objects that the session added, by key
   };
-  /// `notify`: is given what comes up in the middle of a job.
+  /// `notify` receives events that occur during a job.
   CatalogueJobs(Options options, std::function<void(Events)> notify)
       : options_(std::move(options)), notify_(std::move(notify)), ids_(options_.ids) {}
 
-  /// Edits are read from `from` on. Error: the catalogue cannot be opened.
+  /// Reads edits from `from` on. Error: the catalogue cannot be opened.
   [[nodiscard]] Result<void> open(CataloguePosition from);
   void close();
 
   struct Outcome {
     Events events;
-    std::optional<Error> refusal;  ///< the job would never be done, and is given up
+    std::optional<Error> refusal;  ///< the job can never be done, and is given up
   };
-  /// Does one job. Error: the catalogue failed, and the job is to be tried again.
+  /// Executes one job. Error: the catalogue failed, and the job must be tried again.
   [[nodiscard]] Result<Outcome> attempt(CatalogueJob& job);
-  /// What others did since the last call.
+  /// Changes by others since the last call.
   [[nodiscard]] Result<CatalogueEdits> readEdits() { return feed_->follow(); }
 
-  /// The session, and the newest event that was known of the catalogue when it was closed.
+  /// The session, and the newest event that was read when the catalogue was closed.
   [[nodiscard]] std::int64_t session() const { return session_; }
   [[nodiscard]] std::int64_t lastEvent() const { return last_event_; }
 
  private:
-  /// What is reported of a job that is given up.
+  /// The report for a job that is given up.
   [[nodiscard]] Events refuse(const CatalogueJob& job, const Error& error);
   [[nodiscard]] Result<Events> execute(const job::BeginSession& job);
   [[nodiscard]] Result<Events> execute(job::AddObject& job);
@@ -101,14 +101,14 @@ class CatalogueJobs {
   [[nodiscard]] Result<Events> execute(const job::Withdraw& job);
   [[nodiscard]] Result<Events> execute(const job::DiscardViews& job);
   [[nodiscard]] Result<Events> execute(const job::EndSession& job);
-  /// As they are now, behind `event`. What cannot be read now is as it was known.
+  /// Appends the objects' current records to `event`. Unreadable ones keep their last known state.
   [[nodiscard]] Events withRecords(CatalogueEvent event, std::span<const ObjectId> objects);
   [[nodiscard]] ObjectId idOf(ObjectId object) const;
-  /// Who holds the two objects of a merge now: two, or fewer when they are one or deleted.
+  /// The current merge roots of the two objects: fewer than two if they are merged or deleted.
   [[nodiscard]] Result<std::vector<ObjectId>> mergeRootsOf(const job::Merge& job);
   [[nodiscard]] Result<bool> mayMerge(const std::vector<ObjectId>& pair);
   [[nodiscard]] std::optional<std::pair<dev_t, ino_t>> fileNow() const;
-  /// Error: the file that is written to is no longer where it was. SQLite does not see that.
+  /// Error: the open file was moved or removed, which SQLite does not detect.
   [[nodiscard]] Result<void> checkFile() const;
 
   const Options options_;
@@ -118,10 +118,10 @@ class CatalogueJobs {
   std::int64_t session_ = 0;
   std::int64_t last_event_ = 0;
   std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused
-  std::set<ObjectId> touched_;                   // objects that this scan gave something
-  std::map<int, ObjectNaming> namings_;          // by the numbers that were given
-  std::set<int> overruled_;                      // that could not be taken back: others had said otherwise
-  std::optional<std::pair<dev_t, ino_t>> file_;  // none: the catalogue is no file
+  std::set<ObjectId> touched_;                   // objects that this scan changed
+  std::map<int, ObjectNaming> namings_;          // by their numbers
+  std::set<int> overruled_;                      // could not be reverted, because others changed them since
+  std::optional<std::pair<dev_t, ino_t>> file_;  // none: the catalogue is not a file
 };
 
 }  // namespace scantrove

@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-/// Room for what a long scan adds, so that nothing is copied in the middle of it.
+/// Room for the views of a long scan, to avoid copying in the middle of it.
 constexpr int kViewsOfAScan = 2048;
 
 float middleOf(std::vector<float>& values) {
@@ -37,7 +37,7 @@ void CatalogueMirror::continueSession(Continued earlier) {
 
 Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
   CataloguePosition position;
-  // What happens while this reads is among the changes after this one again.
+  // Changes during this read occur again among the later changes.
   SCANTROVE_TRY(moveInto(position.event, database.lastEvent()));
   Result<std::vector<ObjectRecord>> objects = database.objects();
   if (!objects) return fail(objects.error());
@@ -126,7 +126,7 @@ void CatalogueMirror::addDescriptor(const StoredDescriptor& view) {
   own.first_object = keyOf(view.first_object);
   detector_.add(own);
   addSize(own.first_object, own.size_m);
-  // In the world of this scan nothing is recognised by its place.
+  // Nothing is recognised by place in the scan's own world.
   if (view.place && view.place->session != session_)
     places_.add(view.place->session, own.first_object, view.place->centroid_world);
 }
@@ -220,7 +220,7 @@ void CatalogueMirror::withdraw(ObjectId object) {
   std::erase_if(names_to_come_, [object](const auto& name) { return name.first == object; });
 }
 
-/// One event of the writer.
+/// Applies one event of the writer.
 struct CatalogueMirror::Applied {
   CatalogueMirror& mirror;
 
@@ -262,7 +262,7 @@ struct CatalogueMirror::Applied {
         hide(from, into);
         mirror.join(into, from);
         mirror.records_.at(into).confirmed = mirror.model_.find(into)->confirmed;
-      } else if (is_from_here && e.root) {  // the database chose the other one
+      } else if (is_from_here && e.root) {  // the database chose the other root
         hide(from, into);
         ObjectRecord record = *e.root;
         record.id = into;
@@ -282,7 +282,7 @@ struct CatalogueMirror::Applied {
   void operator()(const event::Failed&) const {}
 
  private:
-  /// `from` is part of `into`, as the database says.
+  /// The database says that `from` is merged into `into`.
   void hide(ObjectId from, ObjectId into) const {
     ObjectState part = *mirror.model_.find(from);
     part.hidden = true;
@@ -334,7 +334,7 @@ void CatalogueMirror::edit(const CatalogueEdits& edits) {
   for (const ObjectRecord& read : edits.records) {
     ObjectRecord record = read;
     record.id = keyOf(read.id);
-    if (mergeRootOf(record.id) != record.id) continue;  // merged here, and not yet there
+    if (mergeRootOf(record.id) != record.id) continue;  // merged here, but not yet in the database
     record.views += viewsToCome(record.id);
     putRecord(std::move(record));
   }

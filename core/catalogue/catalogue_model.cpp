@@ -141,7 +141,7 @@ Result<ObjectNaming> CatalogueModel::nameByUser(ObjectId id, const std::string& 
   if (is_other && isSettled(*own)) return ObjectNaming{};
   const ObjectState before = is_other ? *other : *own;
   ObjectNaming naming{before.id, *checked, before.name, before.named_by, before.confirmed};
-  applyName(before.id, *checked, NamedBy::person);  // first: a user's name makes it the root
+  applyName(before.id, *checked, NamedBy::person);  // first, because a user's name decides the root
   applyConfirmed(before.id, true);
   if (is_other) SCANTROVE_TRY(moveInto(naming.merge, merge(std::array{before.id, own->id})));
   return naming;
@@ -170,7 +170,7 @@ Result<ObjectMerge> CatalogueModel::merge(std::span<const ObjectId> ids) {
   const std::set<ObjectId> distinct(ids.begin(), ids.end());
   if (distinct.size() < 2)
     return fail("An object cannot be merged with itself.", "Choose two objects or more.");
-  std::vector<ObjectState> ranked;  // the oldest first
+  std::vector<ObjectState> ranked;  // oldest first
   for (const ObjectId id : distinct) {
     const Result<ObjectState> object = shown(id);
     if (!object) return fail(object.error());
@@ -204,7 +204,7 @@ Result<void> CatalogueModel::unmerge(const ObjectMerge& merge) {
   }
   for (const ObjectId id : merge.from) applyShown(Kind::unmerged, id);
   if (merge.has_confirmed) applyConfirmed(merge.into, false);
-  // It may be part of another one by now, which had these views, too.
+  // It may be merged into another object by now, which had these views, too.
   const ObjectId owner = viewOwner(merge.into);
   if (owner != merge.into) {
     const ObjectState& object = objects_.at(owner);

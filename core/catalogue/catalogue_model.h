@@ -12,22 +12,22 @@
 
 namespace scantrove {
 
-/// The rules of the catalogue: what it means to name, confirm, merge and delete objects, and to undo that. It
-/// holds the state of all objects, or of those that an operation concerns. The database stores what the model
-/// decides, in one transaction an operation; a running scan asks it ahead of the database; an opened session
-/// reads its labels from it.
+/// The rules of the catalogue for naming, confirming, merging and deleting objects, and for undoing that.
+/// It holds the states of all objects, or of those that an operation needs. The database stores the model's
+/// decisions, one transaction for each operation. A running scan asks the model ahead of the database, and
+/// an opened session reads its labels from it.
 ///
-/// Nothing is ever deleted: deleted and merged objects are hidden. An operation that fails changes nothing.
+/// Nothing is ever deleted: deleted and merged objects are hidden. A failed operation changes nothing.
 class CatalogueModel {
  public:
-  /// `place`: what messages call the catalogue, such as its file.
+  /// `place`: how messages call the catalogue, such as its file.
   explicit CatalogueModel(std::string place = "the catalogue") : place_(std::move(place)) {}
 
   // The state of objects.
 
-  /// Adds an object, or replaces what is known of it.
+  /// Adds an object, or replaces its state.
   void put(ObjectState object) { objects_[object.id] = std::move(object); }
-  /// A user undid a merge of these two: they are not merged again without a user.
+  /// A user undid a merge of these two: only a user may merge them again.
   void keepApart(ObjectId a, ObjectId b) { kept_apart_.insert(std::minmax(a, b)); }
   [[nodiscard]] const std::map<ObjectId, ObjectState>& objects() const { return objects_; }
   /// Null: no such object.
@@ -40,44 +40,44 @@ class CatalogueModel {
   [[nodiscard]] Result<ObjectState> known(ObjectId id) const;
   /// Error: no such object; it was deleted; it was merged (says into which).
   [[nodiscard]] Result<ObjectState> shown(ObjectId id) const;
-  /// The visible object that `id` is now, after merges; none: it was deleted, or is not known.
+  /// The visible merge root of `id`; none: deleted or unknown.
   [[nodiscard]] ObjectId mergeRoot(ObjectId id) const;
-  /// The object that has the views of `id`: as mergeRoot(), but hidden where that one was deleted. In a
-  /// damaged file merges may form a circle or lead nowhere: then the last one.
+  /// The object that has the views of `id`: its merge root, even if hidden. Where merges in a damaged file
+  /// are circular or dangling, the last one reached.
   [[nodiscard]] ObjectId viewOwner(ObjectId id) const;
   [[nodiscard]] bool areKeptApart(ObjectId a, ObjectId b) const {
     return kept_apart_.contains(std::minmax(a, b));
   }
   [[nodiscard]] const std::set<std::pair<ObjectId, ObjectId>>& keptApart() const { return kept_apart_; }
-  /// Whether the program may make one object of two visible ones: not when users settled both, nor when one
-  /// of them undid that.
+  /// Whether the program may merge two visible objects: not if users settled both, or a user undid that
+  /// merge.
   [[nodiscard]] bool mayMerge(ObjectId a, ObjectId b) const;
 
   // Operations.
 
-  /// Blanks around the name are dropped. Error: no name for an object (checkedLabelName), or another visible
-  /// object has it.
+  /// Surrounding blanks are dropped. Error: not a valid name (checkedLabelName), or another visible object
+  /// has it.
   [[nodiscard]] Result<void> rename(ObjectId id, const std::string& name, NamedBy by);
   [[nodiscard]] Result<void> setConfirmed(std::span<const ObjectId> ids, bool confirmed);
-  /// A user names what `id` is now, which confirms it. If another visible object has the name, `id` is merged
-  /// into that one, unless `id` is settled: then nothing is done. Error: no name for an object; it was
-  /// deleted.
+  /// A user names the merge root of `id`, which confirms it. If another visible object has the name, `id`
+  /// is merged into that one, unless `id` is settled: then nothing is done. Error: not a valid name; the
+  /// object was deleted.
   [[nodiscard]] Result<ObjectNaming> nameByUser(ObjectId id, const std::string& name);
-  /// Undoes a naming, except for what users changed since. False: that was all of it.
+  /// Undoes a naming, except for later changes by users. False: there were such changes.
   [[nodiscard]] Result<bool> revertNaming(const ObjectNaming& naming);
-  /// Makes one object of two or more. The root is the one that a user named, then the confirmed one, then the
+  /// Merges two or more objects. The root is the one that a user named, else the confirmed one, else the
   /// oldest. It is confirmed if any of them was.
   [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> ids);
-  /// Each object gets back its name, or "name (2)" if the name is taken by now (as does restore), its mark,
-  /// and the views that were stored for it.
+  /// Each object gets back its name (or "name (2)" if taken by now, as in restore), its confirmation, and
+  /// the views that were stored for it.
   [[nodiscard]] Result<void> unmerge(const ObjectMerge& merge);
   [[nodiscard]] Result<void> remove(std::span<const ObjectId> ids);
   [[nodiscard]] Result<void> restore(std::span<const ObjectId> ids);
-  /// Removes an object that was made for an operation which was undone: not if it is settled, hidden, or
-  /// others are part of it. Whether it was removed.
+  /// Removes an object that was made for an undone operation, unless it is settled, hidden, or others are
+  /// merged into it. Returns whether it was removed.
   [[nodiscard]] Result<bool> withdraw(ObjectId made);
 
-  /// What operations changed since the last call, in order.
+  /// Changes by operations since the last call, in order.
   [[nodiscard]] std::vector<CatalogueChange> takeChanges() { return std::exchange(changes_, {}); }
 
  private:

@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-/// Between the beginnings of a session and of its part in the catalogue kernels may be compiled.
+/// Kernels may be compiled between the start of a session and of its part in the catalogue.
 constexpr qint64 kBetweenBeginnings_s = 600;
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// Of finish(), once the end of the program is urgent; how often that is looked at.
+/// Patience of finish() when the program must end soon, and the interval of checking for that.
 constexpr std::chrono::milliseconds kUrgentPatience{500}, kLook{100};
 
 constexpr const char* kWaits = "What the scan finds waits until then.";
@@ -76,7 +76,7 @@ bool CatalogueWriter::addObject(ObjectView first_view) {
   const std::size_t bytes = bytesOf(first_view);
   std::unique_lock lock(mutex_);
   const auto has_room = [&] { return waiting_bytes_ == 0 || waiting_bytes_ + bytes <= options_.most_bytes; };
-  // Who waited in vain waits no more until something has been done.
+  // After a wait in vain, later calls do not wait until there is progress.
   if (!has_room() && !is_full_) changed_.wait_for(lock, options_.room_patience, has_room);
   is_full_ = !has_room();
   if (is_full_) return false;
@@ -164,7 +164,7 @@ Result<void> CatalogueWriter::finish(const std::function<void()>& listener) {
   }
   close();
   listener();
-  // The thread has ended: all is this one's now.
+  // The thread has ended: this one owns all members now.
   Losses losses = refused_;
   for (const CatalogueJob& job : jobs_) losses.count(job);
   if (!without_room_.empty()) {
@@ -200,7 +200,7 @@ void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> ope
     if (open) work();
     return {};
   });
-  if (!ended) {  // no memory for as much as a message: finish() says what is left
+  if (!ended) {  // out of memory even for a message: finish() reports what is left
     const std::scoped_lock lock(mutex_);
     last_error_ = ended.error();
   }
@@ -213,7 +213,7 @@ void CatalogueWriter::work() {
     changed_.wait(lock, [this] { return is_closed_ || is_follow_wanted_ || !jobs_.empty(); });
     if (is_closed_) return;
     lock.unlock();
-    // What persons did comes first: a job may depend on it.
+    // Edits of users come first: a job may depend on them.
     readEdits();
     doFirst();
     lock.lock();
@@ -240,7 +240,7 @@ void CatalogueWriter::doFirst() {
   {
     const std::scoped_lock lock(mutex_);
     if (jobs_.empty() || is_closed_) return;
-    job = &jobs_.front();  // nobody else takes it away, and a deque moves nothing when it grows
+    job = &jobs_.front();  // nobody else removes it, and a growing deque moves no elements
   }
   Result<CatalogueJobs::Outcome> done = executor_.attempt(*job);
   if (!done) {

@@ -21,76 +21,74 @@
 
 namespace scantrove {
 
-/// Stores what a scan finds, on a thread of its own with a connection of its own: SQL and the encoding of
-/// images take nothing from the frames. Jobs are done in the order in which they came, so the same scan gives
-/// the same catalogue; one that fails because the catalogue cannot be written for now (locked, full disk) is
-/// tried again until it is done, and the others wait. What is stored comes back as events, and only then:
-/// what is announced is committed. All functions for one thread, the scan's; none but settle() and finish()
-/// waits for the database (addObject() when very much waits).
+/// Stores a scan's results on its own thread and connection, so that SQL and image encoding do not delay
+/// frames. Jobs are executed in order, so equal scans give equal catalogues. A job that fails because the
+/// catalogue cannot be written now (locked, full disk) is repeated, and later jobs wait. Results come back
+/// as events only after they are committed. All functions for the scan's thread; only settle() and finish()
+/// wait for the database, and addObject() when too many bytes wait.
 ///
-/// Objects that are not stored yet are known by the keys that addObject() was given; all jobs take both keys
-/// and the database's ids.
+/// Objects that are not stored yet have the keys given to addObject(); jobs accept keys and database ids.
 class CatalogueWriter {
  public:
   struct Options {
-    std::string database = {};                  ///< as ObjectDatabase::open takes it
-    std::string source = {};                    ///< of the session that is begun
-    std::optional<Intrinsics> camera = {};      ///< its depth camera, where it is known
-    std::int64_t session = 0;                   ///< one that continues; 0: one is begun
-    std::map<ObjectId, ObjectId> ids = {};      ///< of the objects that it added, by key
-    std::function<void()> on_events = {};       ///< events wait to be taken; called on the writer's thread
-    std::chrono::milliseconds retry{500};       ///< after a failure
-    std::chrono::milliseconds patience{20000};  ///< of finish(), while nothing gets done
-    std::chrono::milliseconds room_patience{5000};     ///< of addObject(), while there is no room
-    std::size_t most_bytes = std::size_t{256} << 20U;  ///< of images that wait; half of it for further views
+    std::string database = {};                      ///< as ObjectDatabase::open takes it
+    std::string source = {};                        ///< source of a new session
+    std::optional<Intrinsics> camera = {};          ///< its depth camera, if known
+    std::int64_t session = 0;                       ///< the session to continue; 0: a new one begins
+    std::map<ObjectId, ObjectId> ids = {};          ///< of the objects that the session added, by key
+    std::function<void()> on_events = {};           ///< events can be drained; called on the writer's thread
+    std::chrono::milliseconds retry{500};           ///< after a failure
+    std::chrono::milliseconds patience{20000};      ///< of finish(), without progress
+    std::chrono::milliseconds room_patience{5000};  ///< of addObject(), while there is no room
+    std::size_t most_bytes = std::size_t{256} << 20U;  ///< of waiting images; half of it for further views
   };
 
-  /// Opens the catalogue on the new thread; events are what happens after `from`. The session begins with the
-  /// first job. Error: it cannot be opened.
+  /// Opens the catalogue on the new thread; events start after `from`. The session begins with the first
+  /// job. Error: it cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<CatalogueWriter>> start(const Options& options,
                                                                       CataloguePosition from);
-  ~CatalogueWriter();  ///< gives up what waits
+  ~CatalogueWriter();  ///< drops waiting jobs
   CatalogueWriter(const CatalogueWriter&) = delete;
   CatalogueWriter& operator=(const CatalogueWriter&) = delete;
 
-  /// A new object, known by the key `first_view.object` from now on. Waits while too much waits already.
-  /// False: it was not taken, there is no room and nothing gets done.
+  /// Adds a new object with the key `first_view.object`. Waits while too much is queued. False: rejected,
+  /// because there was no room and no progress.
   [[nodiscard]] bool addObject(ObjectView first_view);
-  /// Whether another view of the object may be added now: new objects keep half of the room.
+  /// Whether another view of the object may be added now: half of the room is reserved for new objects.
   [[nodiscard]] bool hasRoomForView(ObjectId object);
-  /// Another view of view.object. Dropped when that was deleted by the time.
+  /// Adds a view of view.object. Dropped if the object is deleted by then.
   void addView(ObjectView view);
-  /// Makes one of two objects, unless by the time persons settled both, parted them or deleted one.
+  /// Merges two objects, unless users have settled both, separated them or deleted one by then.
   void merge(ObjectId a, ObjectId b);
-  /// A person calls the object so (see ObjectDatabase::nameByUser), unless it was deleted by the time.
-  /// `naming`: a number for takeNameBack(). `again`: of the naming that was taken back and is done again
-  /// here; where others had overruled that, nothing is done.
+  /// A user names the object (ObjectDatabase::nameByUser), unless it is deleted by then. `naming`: a
+  /// number for takeNameBack(). `again`: the number of a reverted naming to redo; does nothing if others
+  /// overruled it.
   void name(int naming, ObjectId object, const std::string& name, int again = 0);
-  /// What that naming did is taken back, unless others have said otherwise by the time.
-  /// `earlier`: what it did, where it was of an earlier scan.
+  /// Reverts that naming, except for later changes by others. `earlier`: its effect, if an earlier scan
+  /// made it.
   void takeNameBack(int naming, std::optional<ObjectNaming> earlier = std::nullopt);
-  /// An object that was made for something which a person took back is removed (see
-  /// ObjectDatabase::withdraw).
+  /// Removes an object that was made for an undone operation (see ObjectDatabase::withdraw).
   void withdraw(ObjectId object);
-  /// Views of the object that this scan took from those frames show something else. See
-  /// ObjectDatabase::discardViews(); nothing is done when a person has settled what it is by the time.
+  /// Removes views of the object that this scan cropped from those frames, because they show something else
+  /// (ObjectDatabase::discardViews()). Does nothing if a user has settled the object by then.
   void discardViews(ObjectId object, std::vector<int> frames);
-  /// Asks for what others did to the catalogue.
+  /// Requests the changes by others.
   void follow();
 
-  /// What happened since the last call, in order.
+  /// Events since the last call, in order.
   [[nodiscard]] std::vector<CatalogueEvent> drainEvents();
 
-  /// Waits until all jobs are done and what others did by now is among the events. False: not within `limit`.
+  /// Waits until all jobs are done and all changes by others so far are among the events. False: not within
+  /// `limit`.
   [[nodiscard]] bool settle(std::chrono::milliseconds limit);
 
-  /// After finish(): the session, and the newest event that is known of the catalogue.
+  /// After finish(): the session, and the newest event that was read.
   [[nodiscard]] std::int64_t session() const { return executor_.session(); }
   [[nodiscard]] std::int64_t lastEvent() const { return executor_.lastEvent(); }
 
-  /// Ends the session and the thread, after all jobs. `listener` is called when events have come (for
-  /// drainEvents()), and at the end. No other call but drainEvents() afterwards. Error: what was not stored,
-  /// and why; Options::patience passed without anything getting done.
+  /// Ends the session and the thread after all jobs. Calls `listener` when events can be drained, and at
+  /// the end. Only drainEvents() may be called afterwards. Error: what was not stored, and why; or no
+  /// progress within Options::patience.
   [[nodiscard]] Result<void> finish(const std::function<void()>& listener = [] {});
 
  private:
@@ -119,27 +117,27 @@ class CatalogueWriter {
 
   const Options options_;
 
-  // The writer's thread's alone.
+  // Only for the writer's thread.
   CatalogueJobs executor_;
   bool is_failure_said_ = false;
 
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
-  std::deque<CatalogueJob> jobs_;  // the first one is being done
+  std::deque<CatalogueJob> jobs_;  // the first one is in progress
   std::size_t waiting_bytes_ = 0;
   bool is_follow_wanted_ = false;
   bool is_following_ = false;
   bool is_closed_ = false;
-  std::uint64_t done_ = 0;  // jobs
+  std::uint64_t done_ = 0;  // number of jobs
   Events events_;
   Losses refused_;
   std::optional<Error> last_error_, last_refusal_;
 
-  // The scan's thread's alone.
-  bool is_full_ = false;             // and was waited for in vain
-  std::set<ObjectId> without_room_;  // objects of which a view was worth keeping
+  // Only for the scan's thread.
+  bool is_full_ = false;             // and waiting for room was in vain
+  std::set<ObjectId> without_room_;  // objects with a view worth storing
 
-  std::thread thread_;  // last: it uses all of the above
+  std::thread thread_;  // last: uses all members above
 };
 
 }  // namespace scantrove

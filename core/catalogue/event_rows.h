@@ -9,7 +9,7 @@ namespace scantrove {
 
 class DatabaseConnection;
 
-/// What happened, in the table `events`, beside the changes of objects.
+/// Events of the table `events` other than changes of objects.
 namespace action {
 inline constexpr const char* kSessionBegin = "session-begin";
 inline constexpr const char* kSessionEnd = "session-end";
@@ -22,12 +22,12 @@ inline constexpr const char* kDiscardViews = "leave-behind";
 [[nodiscard]] Result<void> recordEvent(DatabaseConnection& connection, const char* action, ObjectId object,
                                        const QJsonObject& before, const QJsonObject& after,
                                        std::int64_t session = 0);
-/// The same for a change that CatalogueModel decided.
+/// Inserts a change that CatalogueModel decided.
 [[nodiscard]] Result<void> recordChange(DatabaseConnection& connection, const CatalogueChange& change);
 
-/// The newest row, 0 when there is none.
+/// The newest row; 0: none.
 [[nodiscard]] Result<std::int64_t> lastEvent(DatabaseConnection& connection);
-/// The rows after that one. Those that are no change of an object, or make no sense, are left out.
+/// The rows after that one. Rows that are malformed or no change of an object are left out.
 [[nodiscard]] Result<CatalogueChanges> changesAfter(DatabaseConnection& connection, std::int64_t event);
 
 }  // namespace scantrove

@@ -13,9 +13,9 @@
 namespace scantrove {
 namespace {
 
-constexpr const char* kName = "a picture";  // of errors that nobody is told
+constexpr const char* kName = "a picture";  // for errors that are not shown
 
-/// An image file of size zero does not exist; an empty crop is stored as an empty (not null) blob.
+/// An image file of size zero cannot exist; an empty crop is stored as an empty (not null) blob.
 QByteArray blobOf(const std::string& bytes) { return {bytes.data(), static_cast<qsizetype>(bytes.size())}; }
 
 }  // namespace
@@ -32,7 +32,8 @@ cv::Mat decodedImage(const QByteArray& blob) {
                         static_cast<std::size_t>(blob.size()));
   const auto format = imageFormat(bytes);
   const auto size = imageSize(bytes);
-  // A few bytes of a damaged image can claim any size, which would be allocated before the damage is noticed.
+  // A few bytes of a damaged image can claim any size, which would be allocated before the damage is
+  // detected.
   if (!size || !checkImageSize(*size, kName)) return {};
   if (format == ImageFormat::jpeg) return decodeJpeg(bytes, kName).value_or(cv::Mat());
   return format == ImageFormat::png ? decodeAnyPng(bytes, kName).value_or(cv::Mat()) : cv::Mat();

@@ -9,12 +9,13 @@
 namespace scantrove {
 namespace {
 
-/// Three that stand nearly on a line say little about where the rest is.
+/// Minimum height of a triangle of three objects, relative to its longest side: nearly collinear ones fix
+/// no rotation.
 constexpr float kMinHeight_m = 0.15F;
-/// Pairs that are tried together.
+/// Maximum number of pairs tried together.
 constexpr std::size_t kMaxPairs = 48;
 
-/// One object, in the world of a session and in this scan's.
+/// One object in a session's world and in this scan's.
 struct Pair {
   Eigen::Vector3f then, now;
 };
@@ -46,7 +47,7 @@ bool isWide(const Pair& a, const Pair& b, const Pair& c) {
   return ab.cross(ca).norm() >= kMinHeight_m * longest_m;
 }
 
-/// The most that agree with three of them; no more are looked for once nearly all do.
+/// The largest set that agrees with a transform of three pairs; stops at three quarters of all.
 std::vector<Pair> agreeing(const std::vector<Pair>& pairs) {
   std::vector<Pair> best;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -65,7 +66,7 @@ std::vector<Pair> agreeing(const std::vector<Pair>& pairs) {
   return best;
 }
 
-/// What most of the pairs agree on; none: too few do.
+/// The transform that most pairs agree on; none: too few agree.
 std::optional<Eigen::Isometry3f> agreedOn(const std::vector<Pair>& pairs) {
   const std::size_t needed = std::max<std::size_t>(KnownLayouts::kFewest, (pairs.size() + 2) / 3);
   const std::vector<Pair> best = agreeing(pairs);
@@ -89,7 +90,7 @@ void KnownLayouts::align(const std::vector<ObjectPosition>& recognized, const Me
   expected_.clear();
   if (recognized.size() < kFewest) return;
   for (const auto& [session, objects] : sessions_) {
-    std::vector<ObjectPosition> then;  // by holder
+    std::vector<ObjectPosition> then;  // by merge root
     for (const auto& [object, seen] : objects) {
       const ObjectId root = merge_root_of(object);
       if (root && !seen.haveMoved()) then.push_back({root, seen.mean()});

@@ -34,11 +34,11 @@ ObjectRecord toRecord(const QSqlQuery& query) {
   return record;
 }
 
-/// Versions of the schema: the oldest with all columns that are read, the first whose sessions have cameras,
-/// and the first with an identity.
+/// Schema versions: the oldest with all columns that are read, the first with cameras of sessions, and the
+/// first with an identity.
 constexpr int kOldestToRead = 3, kFirstWithCameras = 4, kFirstWithIdentity = 6;
 
-/// The N of the next Obj_N: above all that were given, and not the name of any object, visible or not.
+/// The N of the next Obj_N: above all earlier numbers, and not the name of any object, visible or not.
 Result<int> nextNumber(DatabaseConnection& connection) {
   Result<QSqlQuery> last = connection.execute("SELECT max(number) FROM objects");
   if (!last) return fail(last.error());
@@ -52,7 +52,7 @@ Result<int> nextNumber(DatabaseConnection& connection) {
   }
 }
 
-/// One operation on objects: reads the rows that it concerns, lets the model decide, and stores that.
+/// One operation on objects: reads its rows, lets the model decide, and stores the changes.
 template <class Read, class Operation>
 auto changeObjects(DatabaseConnection& connection, Read&& read, Operation&& operation)
     -> std::invoke_result_t<Operation, CatalogueModel&> {
@@ -66,7 +66,7 @@ auto changeObjects(DatabaseConnection& connection, Read&& read, Operation&& oper
   });
 }
 
-/// The rows that an unmerge concerns.
+/// Reads the rows for an unmerge.
 Result<void> readMerge(ObjectRows& rows, const ObjectMerge& merge) {
   SCANTROVE_TRY(rows.read(merge.into));
   SCANTROVE_TRY(rows.read(merge.from));
@@ -173,7 +173,7 @@ Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
     ObjectView view = first_view;
     view.object = id;
     SCANTROVE_TRY(views_.insert(view));
-    return object(id);  // here: once it is committed, nothing may fail any more
+    return object(id);  // read before the commit, because nothing may fail after it
   });
 }
 

@@ -17,32 +17,32 @@ namespace scantrove {
 
 class DatabaseConnection;
 
-/// The catalogue on disk: SQLite (WAL) through QtSql; schema versioned by numbered migrations (schema/*.sql
-/// describe the tables). One instance belongs to one thread; several instances (window, worker, command line)
-/// may have one file open; a call waits at most 5 s for another's. Every call that changes something is one
-/// transaction: after kill -9 the file holds all that returned. CatalogueModel has the rules and the errors
-/// of operations on objects; here their changes are stored, each with one row of `events`, which the others
-/// read (changesAfter). Errors name the file. Nothing is ever deleted: asking for a hidden object by id is an
-/// error that says what became of it.
+/// The catalogue on disk: SQLite (WAL) through QtSql, with a schema versioned by numbered migrations
+/// (schema/*.sql describe the tables). One instance belongs to one thread. Several instances (window,
+/// worker, command line) may open one file; a call waits at most 5 s for another's. Each change is one
+/// transaction: after kill -9 the file holds every call that returned. CatalogueModel defines operations on
+/// objects and their errors. Each change is stored with one row of `events`, which other instances read
+/// (changesAfter). Errors name the file. Nothing is ever deleted: the id of a hidden object gives an error
+/// that says what happened to it.
 ///
-/// Nothing but SQLite may open the file while it is in use: that another descriptor of the same process is
-/// closed drops SQLite's POSIX locks, and the next program that closes the catalogue deletes its journal.
+/// Only SQLite may open the file while it is in use. Closing another descriptor in the same process drops
+/// SQLite's POSIX locks, and the next program that closes the catalogue deletes its journal.
 class ObjectDatabase {
  public:
-  /// Whether something may still be done; a failure leaves the catalogue as it was.
+  /// Whether an operation may proceed; a failure leaves the catalogue unchanged.
   using Check = std::function<Result<void>()>;
   static Result<void> nothingToCheck() { return {}; }
 
-  /// Opens or creates the file (and applies missing migrations). Error: a folder, no such parent folder, not
+  /// Opens or creates the file, and applies missing migrations. Error: a folder, missing parent folder, not
   /// writable, not a database, another program's, damaged, locked, newer.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> open(const std::string& database);
-  /// Opens a catalogue that is there to read it: nothing in it or beside it is changed. What changes
-  /// something is an error. Error: there is none, it is no catalogue, or one of another version.
+  /// Opens an existing catalogue for reading; nothing in it or beside it changes, and changing calls fail.
+  /// Error: missing, no catalogue, or another version.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> openToRead(const std::string& database);
-  /// Tells this catalogue from all others: a UUID that was drawn when it was created, or brought up to date
-  /// by this version. Copies of the file share it. Empty: it is of an older version and was opened to read.
+  /// Identifies this catalogue: a UUID, drawn when it was created or migrated to this version. Copies of
+  /// the file share it. Empty: an older version opened for reading.
   [[nodiscard]] Result<std::string> identity();
-  /// Of one opened to read: what was read so far belongs together (DatabaseConnection::isStill).
+  /// For one opened for reading: whether all reads so far are consistent (DatabaseConnection::isStill).
   [[nodiscard]] bool isStill() const;
   ~ObjectDatabase();
   ObjectDatabase(const ObjectDatabase&) = delete;
@@ -57,33 +57,33 @@ class ObjectDatabase {
   [[nodiscard]] Result<ObjectId> findByName(const std::string& name);
   /// CatalogueModel::mergeRoot(). Error: there never was such an object.
   [[nodiscard]] Result<ObjectId> mergeRoot(ObjectId id);
-  /// The states of all objects, hidden ones too.
+  /// The states of all objects, including hidden ones.
   [[nodiscard]] Result<CatalogueModel> model();
 
-  /// The newest row of `events`, 0 when there is none: where changesAfter goes on.
+  /// The newest row of `events`, where changesAfter continues; 0: none.
   [[nodiscard]] Result<std::int64_t> lastEvent();
-  /// What happened after that event, by this or any other program. Cheap when that is little or nothing.
-  /// Sizes and best views are not in it: read the record.
+  /// Changes after that event, by any program. Fast if there are few. Sizes and best views are not
+  /// included: read the record.
   [[nodiscard]] Result<CatalogueChanges> changesAfter(std::int64_t event);
 
-  /// Adds an object of the view's size, named by the next free Obj_N, with its first view. A number is given
-  /// once, even when its object is renamed or hidden. `first_view.object` is ignored.
+  /// Adds an object of the view's size with its first view, named by the next free Obj_N. Numbers are never
+  /// reused, even after renaming or hiding. `first_view.object` is ignored.
   [[nodiscard]] Result<ObjectRecord> addObject(const ObjectView& first_view);
-  /// A view of an object that was merged goes to its merge root, and comes back with unmerge. Error: no such
-  /// object; images that do not belong together; what `check` says. `check` is asked while nobody else can
-  /// change anything any more, and only reads.
+  /// A view of a merged object goes to its merge root, and back with unmerge. Error: no such object; images
+  /// that do not match each other; the error of `check`. `check` runs while nobody else can write, and only
+  /// reads.
   [[nodiscard]] Result<std::int64_t> addView(const ObjectView& view, const Check& check = nothingToCheck);
-  /// Views that `object` was given by that session, from those frames, show something else: they become an
-  /// object of their own, which is removed. Where they are all that there is of it, it is removed itself.
-  /// Nothing is done to what is settled or hidden. Whether it was removed.
+  /// Removes views that `object` got in that session from those frames: they become a new object, which is
+  /// removed. An object without other views is removed itself. Settled and hidden objects are not changed.
+  /// Returns whether it was removed.
   [[nodiscard]] Result<bool> discardViews(ObjectId object, std::int64_t session, std::span<const int> frames);
 
-  // As CatalogueModel does it.
+  // Operations of CatalogueModel.
   Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::person);
   Result<void> setConfirmed(std::span<const ObjectId> objects, bool confirmed);
   [[nodiscard]] Result<ObjectNaming> nameByUser(ObjectId id, const std::string& name);
   [[nodiscard]] Result<bool> revertNaming(const ObjectNaming& naming);
-  /// `check` as of addView.
+  /// `check` as in addView.
   [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects,
                                           const Check& check = nothingToCheck);
   Result<void> unmerge(const ObjectMerge& merge);
@@ -91,9 +91,8 @@ class ObjectDatabase {
   Result<void> restore(std::span<const ObjectId> objects);
   [[nodiscard]] Result<bool> withdraw(ObjectId made);
 
-  /// All that `edit` does here is one transaction, carried out once for each `token`: returns its text, now
-  /// or as it was when that token came first. Error: as of `edit`, whose part is undone; the same token may
-  /// be tried again.
+  /// Runs `edit` as one transaction, once for each `token`. Returns its text, now or from the first call
+  /// with that token. Error: of `edit`, which is rolled back; the same token may be tried again.
   [[nodiscard]] Result<std::string> applyOnce(const std::string& token,
                                               const std::function<Result<std::string>()>& edit);
 

@@ -12,14 +12,14 @@
 
 namespace scantrove {
 
-/// One look at an object, cut from the full-resolution frame.
+/// One view of an object, cropped from the full-resolution frame.
 struct ObjectView {
   std::int64_t id = 0;  ///< 0 until stored
   ObjectId object;
   std::int64_t session = 0;
   int frame_index = 0;
-  cv::Rect box_px;    ///< where it was cut, in pixels of the frame's depth image; `mask` fills it
-  cv::Size frame_px;  ///< size of that image; empty, like the box: not known (stored by an older version)
+  cv::Rect box_px;    ///< the crop, in pixels of the frame's depth image; `mask` fills it
+  cv::Size frame_px;  ///< size of that image; empty, like the box: unknown (stored by an older version)
   cv::Mat color;      ///< h x w, CV_8UC3, BGR
   cv::Mat mask;       ///< h x w, CV_8UC1, 255 = object
   cv::Mat depth_mm;   ///< h x w, CV_16UC1, 0 = none
@@ -27,11 +27,10 @@ struct ObjectView {
   Eigen::Vector3f direction =
       Eigen::Vector3f::UnitZ();  ///< unit, from the object's centroid to the camera, world
   Eigen::Vector3f size_m =
-      Eigen::Vector3f::Zero();  ///< sides of the oriented box in this look, longest first; zero: unknown
-  /// The middle of what is seen of the object, in the session's world. Views that are read come without it.
+      Eigen::Vector3f::Zero();  ///< sides of the oriented box in this view, longest first; zero: unknown
+  /// Centroid of the visible surface, in the session's world. Not set in views that are read.
   std::optional<Eigen::Vector3f> centroid_world;
-  /// Of `color` and `mask`. Whoever has it already hands it over; it is computed for the database otherwise.
-  /// Views that are read come without it.
+  /// Thumbnail of `color` and `mask`; computed when stored if not given. Not set in views that are read.
   std::optional<Thumbnail> descriptor;
 };
 
@@ -40,17 +39,17 @@ enum class NamedBy { program, person };
 /// One object of the catalogue.
 struct ObjectRecord {
   ObjectId id;
-  std::string name;  ///< unique; Obj_N until a person renames
+  std::string name;  ///< unique; Obj_N until a user renames it
   NamedBy named_by = NamedBy::program;
   bool confirmed = false;
-  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< median of its views', longest first
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< median over its views, longest first
   int views = 0;
   std::int64_t first_session = 0;
   std::string first_session_name;
   std::string created;  ///< ISO 8601, UTC
 };
 
-/// What the rules of the catalogue know of an object (CatalogueModel).
+/// The state of an object in CatalogueModel.
 struct ObjectState {
   ObjectId id;
   std::string name;
@@ -62,7 +61,7 @@ struct ObjectState {
   bool operator==(const ObjectState&) const = default;
 };
 
-/// A user named or confirmed this object.
+/// Whether a user named or confirmed this object.
 template <class Object>
 [[nodiscard]] bool isSettled(const Object& object) {
   return object.confirmed || object.named_by == NamedBy::person;
@@ -71,29 +70,30 @@ template <class Object>
 /// The object that has the views of `object` now.
 struct MergeRoot {
   ObjectId object;
-  ObjectId root;  ///< itself, or what it was merged into; none: deleted
+  ObjectId root;  ///< itself, or its merge target; none: deleted
 };
 
-/// What a merge did, to undo it.
+/// The effect of a merge, to undo it.
 struct ObjectMerge {
   ObjectId into;
   std::vector<ObjectId> from;
-  bool has_confirmed = false;  ///< `into` was marked as confirmed because one of `from` was
+  bool has_confirmed = false;  ///< `into` was confirmed because one of `from` was
 };
 
-/// What a user's naming did, to undo it.
+/// The effect of a user's naming, to undo it.
 struct ObjectNaming {
-  ObjectId object;   ///< that has the name now; none: nothing was done
-  std::string name;  ///< without blanks around it
+  ObjectId object;   ///< has the name now; none: nothing was done
+  std::string name;  ///< without surrounding blanks
   std::string earlier_name;
   NamedBy earlier_named_by = NamedBy::program;
   bool earlier_confirmed = false;
-  std::optional<ObjectMerge> merge = {};  ///< an object of that name was there: the named one is part of it
+  std::optional<ObjectMerge> merge =
+      {};  ///< set if an object of that name existed: the named one is merged into it
 };
 
-/// Where a view saw its object.
+/// The position of an object in a view.
 struct ViewPlace {
-  std::int64_t session = 0;  ///< whose views share one world
+  std::int64_t session = 0;  ///< its views share one world frame
   Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();
 };
 

@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-/// CROSS JOIN: by index, not by a walk through all images.
+/// CROSS JOIN makes SQLite use the index instead of reading all images.
 constexpr const char* kOwnViews =
     "WITH RECURSIVE family (id) AS (SELECT id FROM objects WHERE id = ?"
     " UNION SELECT o.id FROM objects o JOIN family f ON o.merged_into = f.id)"

@@ -13,8 +13,8 @@ class DatabaseConnection;
 /// For binding: null for 0.
 [[nodiscard]] QVariant orNull(std::int64_t id);
 
-/// The rows of the table `objects` that one operation concerns: read into a model, and written back as far as
-/// the operation changed them. Inside the caller's transaction.
+/// The rows of the table `objects` for one operation: read into a model, and written back where the
+/// operation changed them. Inside the caller's transaction.
 class ObjectRows {
  public:
   explicit ObjectRows(DatabaseConnection& connection);
@@ -22,22 +22,22 @@ class ObjectRows {
   [[nodiscard]] CatalogueModel& model() { return model_; }
 
   [[nodiscard]] Result<void> readAll();
-  /// The object and what it was merged into, to the end. Nothing if there is no such object.
+  /// Reads the object and its chain of merges. Nothing if there is no such object.
   [[nodiscard]] Result<void> read(ObjectId id);
   [[nodiscard]] Result<void> read(std::span<const ObjectId> ids);
-  /// The visible object of that name.
+  /// Reads the visible object of that name.
   [[nodiscard]] Result<void> readNamed(const std::string& name);
-  /// The same for the names of these objects, and the "name (2)" that they would get instead.
+  /// Reads objects with the names of these objects, and with the "name (2)" that would replace them.
   [[nodiscard]] Result<void> readNamesOf(std::span<const ObjectId> ids);
-  /// What was merged into the object.
+  /// Reads the objects that were merged into this one.
   [[nodiscard]] Result<void> readParts(ObjectId id);
 
-  /// Writes what the model's operations changed: objects, who has their views, sizes and best views, events.
+  /// Writes the changes of the model: objects, owners of views, sizes and best views, events.
   [[nodiscard]] Result<void> store();
 
  private:
   [[nodiscard]] Result<void> select(const QString& condition, const QVariantList& values);
-  /// Views that were stored for the object, or for what was merged into it, belong to `owner`.
+  /// Assigns views stored for the object, or for objects merged into it, to `owner`.
   [[nodiscard]] Result<void> moveViews(ObjectId object, ObjectId owner);
 
   DatabaseConnection& connection_;

@@ -8,19 +8,19 @@
 
 namespace scantrove {
 
-/// What a catalogue says of the object that a region was taken for.
+/// The catalogue's data about the object of a region.
 struct RegionObject {
   enum class State : std::uint8_t { none, known, deleted };
   State state = State::none;
-  ObjectId object = {};  ///< its merge root; none: its number is not known
+  ObjectId object = {};  ///< its merge root; none: unknown
   std::string name = {};
   NamedBy named_by = NamedBy::program;
   bool confirmed = false;
-  bool is_merged = false;  ///< `object` is another one than the region was taken for
+  bool is_merged = false;  ///< `object` differs from the object that the region was identified as
   bool operator==(const RegionObject&) const = default;
 };
 
-/// Of the object `id`; nothing: the catalogue never had it.
+/// For the object `id`; empty: the catalogue never had it.
 [[nodiscard]] inline RegionObject regionObjectOf(const CatalogueModel& catalogue, ObjectId id) {
   using State = RegionObject::State;
   if (catalogue.find(id) == nullptr) return {};
@@ -29,9 +29,9 @@ struct RegionObject {
   return {State::known, root->id, root->name, root->named_by, root->confirmed, root->id != id};
 }
 
-/// A user names a region that was taken for `object`. Whether the region is another thing than that: users
-/// gave another name to one of the object's other regions (`names_of_others`), or another object has the name
-/// already and this one is settled.
+/// Whether a region of `object` that a user names is another thing: users gave another name to one of the
+/// object's other regions (`names_of_others`), or another object has the name already and this one is
+/// settled.
 [[nodiscard]] inline bool isAnotherThing(const CatalogueModel& catalogue, ObjectId object,
                                          const std::string& name,
                                          std::span<const std::string> names_of_others) {

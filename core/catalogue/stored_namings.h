@@ -6,24 +6,24 @@
 
 namespace scantrove {
 
-/// What naming a region did to the catalogue, as its session keeps it, to take it back later.
+/// The effect of naming a region on the catalogue, as its session stores it for undo.
 struct StoredNaming {
-  ObjectNaming naming;  ///< no name: it was made an object, and not named
-  ObjectId earlier;     ///< the object that the region was before; none: it was none
-  ObjectId made = {};   ///< the object that was made for it; none: it was there
-  /// It was taken back in the session alone: others had said otherwise of the object by then.
+  ObjectNaming naming;  ///< no name: the region was made an object without a name
+  ObjectId earlier;     ///< the region's former object; none: it had none
+  ObjectId made = {};   ///< the object made for the region; none: it existed
+  /// It was undone in the session only, because others had changed the object since.
   bool is_overruled = false;
 };
 
-/// The session's fact that keeps those of a region.
+/// The metadata key for the namings of a region.
 [[nodiscard]] std::string namingsKeyOf(RegionId region);
-/// The one that keeps those of a region that an undo took back, for a redo.
+/// The metadata key for undone namings of a region, for a redo.
 [[nodiscard]] std::string undoneNamingsKeyOf(RegionId region);
-/// The one that keeps the object that was made for a region and went with an undo: it comes back with a redo.
+/// The metadata key for the object that was made for a region and removed by an undo, for a redo.
 [[nodiscard]] std::string removedObjectKeyOf(RegionId region);
 /// As text, oldest first; empty for none.
 [[nodiscard]] std::string namingsToJson(const std::vector<StoredNaming>& namings);
-/// None for what was not written so.
+/// Empty for text of another form.
 [[nodiscard]] std::vector<StoredNaming> namingsFromJson(const std::string& text);
 
 }  // namespace scantrove

@@ -9,12 +9,12 @@
 namespace scantrove {
 namespace {
 
-// CIE units. Compressed camera images vary by about this much on a uniform surface.
+// CIE units: the variation of compressed camera images on a uniform surface.
 constexpr std::array<float, 3> kMinDeviation = {4, 2, 2};
 
 struct SmallCrop {
   cv::Mat lab;     // 32 x 32, CV_32FC3, means over the object's pixels only
-  cv::Mat weight;  // 32 x 32, CV_32FC1, fraction of the pixel that is the object
+  cv::Mat weight;  // 32 x 32, CV_32FC1, fraction of the pixel that shows the object
 };
 
 SmallCrop shrink(const cv::Mat& color, const cv::Mat& mask) {

@@ -7,9 +7,9 @@
 
 namespace scantrove {
 
-/// What the detector remembers of one look at an object (thesis 5.2): its crop, 32 x 32, CIELAB, each channel
-/// zero mean and unit variance over the object's pixels; the background is 0, the mean, so that another scene
-/// behind the object changes nothing. Values are stored as round(32 * value), clamped to +-127: 8 bits keep
+/// The detector's descriptor of one view (thesis 5.2): the crop at 32 x 32 in CIELAB, each channel
+/// normalised to zero mean and unit variance over the object's pixels. The background is 0, so the scene
+/// behind the object has no effect. Values are stored as round(32 * value), clamped to +-127: 8 bits keep
 /// the memory traffic low.
 struct Thumbnail {
   static constexpr int kSide = 32, kPixels = kSide * kSide;
@@ -21,12 +21,11 @@ struct Thumbnail {
   Eigen::Vector3f mean_lab = Eigen::Vector3f::Zero();   ///< before normalisation, CIE units (L 0..100)
 };
 
-/// `color` CV_8UC3 BGR and `mask` CV_8UC1 of the same size, any size. Nothing when there is no colour or no
-/// object pixel. A channel that hardly varies is divided by a least deviation instead of its own, or it would
-/// be noise only.
+/// `color` (CV_8UC3 BGR) and `mask` (CV_8UC1) share any size. None: no colour or no object pixel. A nearly
+/// uniform channel is divided by a minimum deviation, because it would be only noise otherwise.
 [[nodiscard]] std::optional<Thumbnail> makeThumbnail(const cv::Mat& color, const cv::Mat& mask);
 
-/// `coarse` from `fine`.
+/// Computes `coarse` from `fine`.
 void fillCoarse(Thumbnail& thumbnail);
 
 }  // namespace scantrove

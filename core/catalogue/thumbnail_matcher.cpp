@@ -17,7 +17,7 @@ std::size_t count(int items, int bytes) {
   return static_cast<std::size_t>(items) * static_cast<std::size_t>(bytes);
 }
 
-// Group sizes are fixed: PoCL builds a kernel anew for each size that it meets.
+// Group sizes are fixed, because PoCL builds a kernel anew for each size.
 const cl::NDRange kWarpGroup(FINE_SIDE, 4, 1), kShrinkGroup(COARSE_SIDE, 4, 1),
     kScoreGroup(THUMBNAIL_WARPS, 1), kRefineGroup(4);
 
@@ -83,7 +83,7 @@ void ThumbnailMatcher::prepareQueries(const std::vector<Thumbnail>& queries) {
     queries_ = Buffer<cl_char>(context, count(query_capacity_, FINE_VIEW_BYTES));
     fine_queries_ = Buffer<cl_char>(context, count(copies, FINE_QUERY_BYTES));
     coarse_queries_ = Buffer<cl_char>(context, count(copies, COARSE_QUERY_BYTES));
-    fine_queries_.fill(compute_->queue(), 0);  // the rims stay so
+    fine_queries_.fill(compute_->queue(), 0);  // the borders stay 0
     coarse_queries_.fill(compute_->queue(), 0);
   }
   std::vector<cl_char> bytes;

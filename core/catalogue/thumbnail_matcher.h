@@ -9,7 +9,7 @@
 namespace scantrove {
 
 /// The thumbnails of all views on the device, and the kernels that compare queries with some of them
-/// (kernels/warp_queries.cl, kernels/match_thumbnails.cl). Views are known by their place, 0 .. size() - 1.
+/// (kernels/warp_queries.cl, kernels/match_thumbnails.cl). Views are identified by index, 0 .. size() - 1.
 /// The context's thread; all but create may throw cl::Error.
 class ThumbnailMatcher {
  public:
@@ -21,14 +21,14 @@ class ThumbnailMatcher {
   [[nodiscard]] static Result<ThumbnailMatcher> create(ComputeContext& compute);
 
   [[nodiscard]] int size() const { return size_; }
-  /// Makes room for so many views, once and for all; with more the buffers are copied into larger ones.
+  /// Reserves room for so many views; beyond it the buffers are copied into larger ones.
   void reserve(int views);
-  /// The new view's place is the old size(). Views go to the device in batches, at the latest when they are
-  /// compared.
+  /// The new view's index is the old size(). Views go to the device in batches, at the latest before a
+  /// comparison.
   void append(const Thumbnail& thumbnail);
   void clear();
 
-  /// Warped distance of each pair, in order; 0 = the same, 2 = unrelated. One batch.
+  /// Warped distance of each pair, in order; 0 = same, 2 = unrelated. One batch.
   [[nodiscard]] std::vector<float> distances(const std::vector<Thumbnail>& queries,
                                              const std::vector<Pair>& pairs);
 
@@ -40,7 +40,7 @@ class ThumbnailMatcher {
   ComputeContext* compute_;
   Kernel warp_queries_, shrink_queries_, score_warps_, refine_matches_;
   int size_ = 0, capacity_ = 0;
-  std::vector<cl_char> appended_fine_, appended_coarse_;  // the last views, not on the device yet
+  std::vector<cl_char> appended_fine_, appended_coarse_;  // newest views, not on the device yet
   Buffer<cl_char> fine_views_, coarse_views_;
   int query_capacity_ = 0;
   Buffer<cl_char> queries_, fine_queries_, coarse_queries_;

@@ -7,11 +7,11 @@
 namespace scantrove {
 namespace {
 
-constexpr int kMaxSamples = 256;  // views that the components are fitted to
+constexpr int kMaxSamples = 256;  // views for fitting the components
 constexpr float kGrowthToRefit = 1.5F;
-constexpr int kEnoughViews = 2000;          // the components of so many are those of more: fitted no more
-constexpr std::size_t kWaitingViews = 256;  // whose pixels wait for their coordinates
-constexpr float kColorUnit = 40;            // CIE units of mean colour that count as 1 of distance
+constexpr int kEnoughViews = 2000;          // enough to represent more views: components are not fitted again
+constexpr std::size_t kWaitingViews = 256;  // views whose pixels wait for coordinates
+constexpr float kColorUnit = 40;            // CIE units of mean colour per unit of distance
 
 using Coarse = decltype(Thumbnail::coarse);
 
@@ -32,12 +32,12 @@ float colorDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return (a - b).squaredNorm() / (kColorUnit * kColorUnit);
 }
 
-/// A size of zero is unknown and fits all.
+/// A size of zero is unknown and agrees with all.
 bool sizesAgree(float a, float b, float tolerance) {
   return !(a > 0 && b > 0) || std::abs(a - b) <= tolerance * std::max(a, b);
 }
 
-/// The half and more of something larger.
+/// Between half and all of a larger object.
 bool isPartOf(float diagonal_m, float whole_m) {
   return diagonal_m < whole_m && diagonal_m >= 0.5F * whole_m;
 }

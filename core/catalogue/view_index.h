@@ -12,9 +12,9 @@
 
 namespace scantrove {
 
-/// What is known of every view on the host, and the pruning (thesis 5.2): of thousands of views the few that
-/// can be a query's, by size, mean colour and the 19 principal components of the 16 x 16 thumbnails of the
-/// views themselves. Views are known by their place, 0 .. size() - 1, as in ThumbnailMatcher. One thread.
+/// Host data of all views, and pruning (thesis 5.2): selects the few views that may match a query by size,
+/// mean colour and 19 principal components of the views' 16 x 16 thumbnails. Views are identified by index,
+/// 0 .. size() - 1, as in ThumbnailMatcher. One thread.
 class ViewIndex {
  public:
   struct Query {
@@ -23,39 +23,39 @@ class ViewIndex {
   };
   struct Limits {
     float size_tolerance;  ///< as DetectionParams
-    float max_distance;    ///< a colour difference that alone exceeds it prunes
+    float max_distance;    ///< a larger colour difference alone prunes
     int shortlist;
   };
-  /// Below so many views nothing is pruned by components: comparing all is cheaper than fitting them.
+  /// With fewer views components prune nothing: comparing all is faster than fitting them.
   static constexpr int kFewViews = 64;
 
   [[nodiscard]] int size() const { return static_cast<int>(views_.size()); }
   /// `first_object`: the object that the view was stored for.
   void append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m);
 
-  /// Views of an object that nobody holds are never worth a comparison.
+  /// Views without an owner are never compared.
   void setMergeRoot(const MergeRoot& entry);
-  /// None for an object that was deleted or never heard of.
+  /// None for a deleted or unknown object.
   [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const;
   [[nodiscard]] ObjectId mergeRootAt(int place) const {
     return merge_roots_[views_[static_cast<std::size_t>(place)].owner];
   }
 
-  /// Places worth a comparison, nearest first; at most `shortlist` once there are kFewViews views.
+  /// Indices of views worth a comparison, nearest first; at most `shortlist` from kFewViews views on.
   [[nodiscard]] std::vector<int> shortlist(const Query& query, const Limits& limits);
 
-  /// Places of views that are held by one of the `roots`, whose colour could be the query's, and that are
-  /// about as large or up to twice as large.
+  /// Indices of views owned by one of the `roots` with a similar colour, and from about the same to twice
+  /// the size.
   [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> roots, const Query& query,
                                          const Limits& limits) const;
 
-  /// What the difference of mean colours adds to the warped distance of a pair.
+  /// The part of a pair's distance that is due to mean colours.
   [[nodiscard]] float colorTerm(const Thumbnail& query, int place) const;
 
  private:
   using Coarse = decltype(Thumbnail::coarse);
   using Coordinates = cv::Vec<float, 19>;  ///< along the principal components
-  struct View {                            // what every query reads: small
+  struct View {                            // read by every query, so kept small
     std::uint32_t owner;                   // of merge_roots_
     Eigen::Vector3f mean_lab;
     float diagonal_m;
@@ -68,10 +68,10 @@ class ViewIndex {
   std::vector<View> views_;
   std::unordered_map<ObjectId, std::uint32_t> owners_;  // by first object
   std::vector<ObjectId> merge_roots_;                   // by owner
-  // 16 x 16 pixels of the last views: all, as long as components may be fitted to them anew; later those
-  // whose coordinates are still to be computed.
+  // 16 x 16 pixels of the newest views: of all while components may be fitted again, later of those without
+  // coordinates.
   std::vector<Coarse> coarse_;
-  cv::PCA components_;  // eigenvectors: none as long as there are few views
+  cv::PCA components_;  // eigenvectors; none while there are few views
   int views_at_fit_ = 0;
   std::size_t projected_ = 0;  // views with coordinates
 };

@@ -106,7 +106,7 @@ Result<void> refreshObject(DatabaseConnection& connection, ObjectId object) {
   SCANTROVE_TRY(
       connection.execute("UPDATE objects SET best_view = ? WHERE id = ?", {best_view, object.value}));
   if (best_view.isNull()) return {};  // hidden: its own size comes back with its views
-  // No view of its own says how large it is: the size was that of another, which it was one with.
+  // None of its own views has a size: the stored one came from an object that was merged with it.
   const bool is_unknown = sides[0].empty();
   SCANTROVE_TRY(connection.execute("UPDATE objects SET size_x_m = ?, size_y_m = ?, size_z_m = ? WHERE id = ?",
                                    {is_unknown ? 0 : medianOf(sides[0]), is_unknown ? 0 : medianOf(sides[1]),

@@ -34,23 +34,23 @@ std::optional<Eigen::Isometry3d> toPose(const QString& text) {
   return is_number && T.matrix().allFinite() ? std::optional(T) : std::nullopt;
 }
 
-/// Fills an image from its column; returns what is wrong with it.
+/// Fills an image from its column; returns the flaw, if any.
 std::string readImage(const QSqlQuery& query, int column, const char* what, cv::Mat& image) {
   const QByteArray bytes = query.value(column).toByteArray();
   image = decodedImage(bytes);
   return image.empty() && !bytes.isEmpty() ? std::string("its ") + what + " is not an image" : std::string();
 }
 
-/// Six values for readBox(); nulls where the box is not known.
+/// Six values for readBox(); nulls if the box is unknown.
 QVariantList boxColumns(const ObjectView& view) {
   if (view.frame_px.empty()) return QVariantList(6, QVariant(QMetaType(QMetaType::Int)));
   const cv::Rect& box = view.box_px;
   return {box.x, box.y, box.width, box.height, view.frame_px.width, view.frame_px.height};
 }
 
-/// The box and its frame from six columns; both empty where they are not known or make no sense.
+/// The box and its frame from six columns; both empty if unknown or invalid.
 void readBox(const QSqlQuery& query, int column, ObjectView& view) {
-  constexpr int kLargestSide_px = 4096;  // of the images that can be scanned
+  constexpr int kLargestSide_px = 4096;  // of supported images
   std::array<int, 6> numbers{};
   for (int i = 0; i < 6; ++i) {
     numbers[static_cast<std::size_t>(i)] = query.value(column + i).toInt();
@@ -65,7 +65,7 @@ void readBox(const QSqlQuery& query, int column, ObjectView& view) {
   view.frame_px = frame.size();
 }
 
-/// Fills a view from its row; returns what is wrong with it.
+/// Fills a view from its row; returns the flaw, if any.
 std::string readView(const QSqlQuery& query, ObjectView& view) {
   view.id = query.value(0).toLongLong();
   view.object = ObjectId{query.value(1).toUInt()};
@@ -85,7 +85,7 @@ std::string readView(const QSqlQuery& query, ObjectView& view) {
   return flaw.empty() ? flawOf(view) : flaw;
 }
 
-constexpr int kViewsOfATransaction = 100;  // others wait for the write lock meanwhile: well below a second
+constexpr int kViewsOfATransaction = 100;  // keeps the write lock well below a second
 
 Result<std::vector<std::int64_t>> viewsWithoutSummary(DatabaseConnection& connection) {
   Result<QSqlQuery> query =
@@ -110,7 +110,7 @@ Result<void> summarizeViews(DatabaseConnection& connection, const std::vector<st
   });
 }
 
-/// Views that an older version stored.
+/// Describes views that an older version stored.
 Result<void> summarizeOlderViews(DatabaseConnection& connection) {
   for (;;) {
     const Result<std::vector<std::int64_t>> views = viewsWithoutSummary(connection);
@@ -120,7 +120,7 @@ Result<void> summarizeOlderViews(DatabaseConnection& connection) {
   }
 }
 
-/// False when the row cannot be used.
+/// False: the row is unusable.
 bool readThumbnail(const QSqlQuery& query, int column, Thumbnail& thumbnail) {
   for (int i = 0; i < 3; ++i) thumbnail.mean_lab[i] = query.value(column + i).toFloat();
   const QByteArray fine = query.value(column + 3).toByteArray();
@@ -131,7 +131,7 @@ bool readThumbnail(const QSqlQuery& query, int column, Thumbnail& thumbnail) {
   return true;
 }
 
-/// Session and place from four columns.
+/// Session and position from four columns.
 std::optional<ViewPlace> readPlace(const QSqlQuery& query, int column) {
   ViewPlace place;
   place.session = query.value(column).toLongLong();
