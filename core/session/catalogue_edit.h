@@ -12,25 +12,25 @@
 
 namespace scantrove {
 
-/// What the catalogue did for one edit, as the session is to keep it.
+/// The result of one edit in the catalogue, for the session to store.
 struct CatalogueOutcome {
   SessionMetadata metadata;
-  std::map<RegionId, ObjectId> objects;  ///< none: the region is none any more
-  std::vector<Error> refusals;           ///< what cannot be done, now or later
+  std::map<RegionId, ObjectId> objects;  ///< none: the region is no object any more
+  std::vector<Error> refusals;           ///< operations that cannot be done now or later
 
   [[nodiscard]] std::string toJson() const;
-  /// Error: it was not written so.
+  /// Error: malformed text.
   [[nodiscard]] static Result<CatalogueOutcome> fromJson(const std::string& text);
 };
 
-/// Carries one edit of a session out in its catalogue, as one transaction there. The session is only read.
-/// Thread of both; may throw cl::Error.
+/// Executes one edit of a session in its catalogue, as one transaction. The session is only read. Thread of
+/// both; may throw cl::Error.
 class CatalogueEdit {
  public:
-  /// Both outlive it.
+  /// Both outlive this.
   CatalogueEdit(OpenSession& session, ObjectDatabase& database) : session_(session), database_(database) {}
 
-  /// Error: it cannot be done for now; nothing was changed.
+  /// Error: not possible now; nothing was changed.
   [[nodiscard]] Result<CatalogueOutcome> carryOut(const PendingEdit& edit);
 
  private:
@@ -40,20 +40,20 @@ class CatalogueEdit {
   [[nodiscard]] Result<void> redoName(const CatalogueStep& step);
   [[nodiscard]] Result<void> revertName(const CatalogueStep& step);
   [[nodiscard]] Result<void> add(RegionId region);
-  /// Takes the newest entry of that name back. False: there is none.
+  /// Reverts the newest entry of that name. False: there is none.
   [[nodiscard]] Result<bool> revert(RegionId region, const std::string& name);
 
-  /// Names the region's object, or one that is made for it.
+  /// Names the region's object, or a new one made for it.
   [[nodiscard]] Result<std::optional<StoredNaming>> nameObjectOf(RegionId region, const std::string& name);
-  /// A new object for the region; one that was made for it, and went with an undo, comes back. None: refused.
+  /// A new object for the region, or the one that an undo removed. None: refused.
   [[nodiscard]] Result<ObjectId> objectFor(RegionId region);
   [[nodiscard]] Result<ObjectId> makeFromKeyFrames(RegionId region);
-  /// What users call the other regions of that object.
+  /// The names that users gave the other regions of that object.
   [[nodiscard]] std::vector<std::string> namesOfOthers(RegionId region, ObjectId object);
-  /// The object that the region is now; none: it is none, or was deleted.
+  /// The current object of the region; none: it has none, or it was deleted.
   [[nodiscard]] ObjectId presentObjectOf(RegionId region);
 
-  // The session as this edit leaves it.
+  // The session's data after this edit.
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
   void setObject(RegionId region, ObjectId object) { outcome_.objects[region] = object; }
   [[nodiscard]] std::string fact(const std::string& name) const;
@@ -70,10 +70,10 @@ class CatalogueEdit {
   OpenSession& session_;
   ObjectDatabase& database_;
   CatalogueOutcome outcome_;
-  /// Cut from the key frames before the transaction: nobody waits for that. A region without an entry was not
-  /// needed so far.
+  /// Cropped from the key frames before the transaction, to keep it short. Regions without an entry were
+  /// not needed so far.
   std::map<RegionId, std::vector<ObjectView>> views_;
-  RegionId without_views_;  // the transaction was left for these
+  RegionId without_views_;  // the transaction was aborted to crop views of this region
 };
 
 }  // namespace scantrove

@@ -9,31 +9,32 @@
 
 namespace scantrove {
 
-/// Which catalogue is asked.
+/// Identifies a catalogue.
 struct CatalogueIdentity {
-  std::string uuid = {};     ///< ObjectDatabase::identity()
-  bool has_session = false;  ///< a scan began there when the session did: tells sessions of older versions
+  std::string uuid = {};  ///< ObjectDatabase::identity()
+  bool has_session =
+      false;  ///< a scan began there when the session did; identifies the catalogue of older sessions
 };
 
-/// The numbers of a catalogue's objects that a session keeps. They mean nothing in another catalogue.
+/// The ids of a catalogue's objects that a session stores. They are meaningless in another catalogue.
 struct CatalogueNumbers {
-  SessionMetadata metadata;  ///< of the session; empty value: there is none
+  SessionMetadata metadata;  ///< of the session; an empty value means no entry
   std::map<RegionId, ObjectId> objects;
 };
 
-/// The fact that names the catalogue of all numbers (schema/004_identity.sql).
+/// The metadata key for the catalogue of all ids (schema/004_identity.sql).
 inline constexpr const char* kCatalogueKey = "catalogue";
 
-/// Makes the numbers those of `catalogue`. Numbers of another one are set aside in a fact, and come back when
-/// the session meets that catalogue again. Whether any were set aside.
+/// Makes the ids those of `catalogue`. Ids of another catalogue are set aside in the metadata, and restored
+/// when the session is used with that catalogue again. Returns whether any were set aside.
 bool turnTo(CatalogueNumbers& numbers, const CatalogueIdentity& catalogue);
 /// The same for a session that was just read.
 bool turnTo(SavedScan& scan, const CatalogueIdentity& catalogue);
 
-/// Of an open catalogue, for the session with these facts.
+/// For an open catalogue and the session with this metadata.
 [[nodiscard]] Result<CatalogueIdentity> identityOf(ObjectDatabase& database, const SessionMetadata& metadata);
 
-/// Says that the numbers of the session in `folder` were set aside.
+/// The message that the ids of the session in `folder` were set aside.
 [[nodiscard]] Error isAnotherCatalogue(const std::filesystem::path& folder, const std::string& database);
 
 }  // namespace scantrove

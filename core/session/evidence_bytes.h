@@ -6,9 +6,9 @@
 
 namespace scantrove {
 
-/// Border evidence without its constraint, as the table `borders` keeps it: 21 floats.
+/// Border evidence without its constraint, as in the table `borders`: 21 floats.
 [[nodiscard]] QByteArray evidenceToBytes(const BorderEvidence& evidence);
-/// Of earlier versions with fewer numbers, too. None: it was not written so.
+/// Also reads earlier versions with fewer numbers. None: malformed.
 [[nodiscard]] std::optional<BorderEvidence> evidenceFromBytes(const QByteArray& bytes);
 
 }  // namespace scantrove

@@ -9,10 +9,10 @@
 /// The tables `frames` and `key_frames` of a session.
 namespace scantrove::rows {
 
-/// To be called in a transaction.
+/// Requires a transaction.
 [[nodiscard]] Result<void> writeFrames(DatabaseConnection& database, const SavedDelta& delta);
 
-/// Fills scan.frames and scan.key_frames, by number.
+/// Fills scan.frames and scan.key_frames, in order of number.
 [[nodiscard]] Result<void> readFrames(DatabaseConnection& database, SavedScan& scan,
                                       std::vector<std::string>& damages);
 

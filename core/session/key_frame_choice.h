@@ -6,18 +6,18 @@
 
 namespace scantrove {
 
-/// Which frames show something new: those that turned or moved far enough from all that were taken.
+/// Selects frames that show something new: those rotated or moved far enough from all selected ones.
 class KeyFrameChoice {
  public:
-  /// A camera that moved less shows the same sides of a thing an arm's length away (75 cm: 5.7 degrees).
+  /// With less motion the camera sees the same sides of an object at arm's length (75 cm: 5.7 degrees).
   static constexpr double kMinMotion_m = 0.075;
-  /// 5 degrees: one that turned less shows nine tenths of the same picture.
+  /// 5 degrees: with less rotation nine tenths of the image are the same.
   static constexpr double kMinTurn_rad = 0.0873;
 
   KeyFrameChoice() = default;
   explicit KeyFrameChoice(std::vector<Eigen::Isometry3d> taken) : taken_(std::move(taken)) {}
 
-  /// Whether this one does; then it is taken.
+  /// Whether the frame is selected; it then counts as taken.
   bool takes(const Eigen::Isometry3d& T_world_camera) {
     const bool is_new = std::ranges::none_of(taken_, [&](const Eigen::Isometry3d& other) {
       const Eigen::Isometry3d motion = other.inverse() * T_world_camera;

@@ -9,12 +9,12 @@ namespace scantrove {
 
 class SessionStore;
 
-/// Writes a frame's images into a session, each beside what is there: colour as it came but for an
-/// orientation (a JPEG stays the same bytes without it), else as PNG; depth as 16-bit PNG. The session's
-/// thread. Error: names the file.
+/// Writes a frame's images into a session without replacing files. Colour: the recorded bytes without an
+/// orientation (a JPEG without one stays unchanged), else PNG. Depth: 16-bit PNG. The session's thread.
+/// Error: names the file.
 [[nodiscard]] Result<SavedKeyFrame> writeKeyFrame(SessionStore& session, int number, const RgbdFrame& frame);
 
-/// The frame again. Any thread. Error: a file is missing, damaged, or not the one that was written; names it.
+/// Reads the frame. Any thread. Error: a file is missing, damaged, or not the one written; names it.
 [[nodiscard]] Result<RgbdFrame> readKeyFrame(const std::filesystem::path& session_folder,
                                              const SavedKeyFrame& key_frame, const SavedFrame& frame);
 

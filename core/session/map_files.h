@@ -16,37 +16,37 @@
 
 namespace scantrove {
 
-/// The map of a session: DIR/map/NNNNNN.bricks with the records of its pages, and the table `pages` that says
-/// where the newest of each lies. The thread of its database, which is handed in.
+/// The map of a session: DIR/map/NNNNNN.bricks with the records of its pages, and the table `pages` with
+/// the position of each page's newest record. For the thread of its database.
 class MapFiles {
  public:
   explicit MapFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The places of all pages; files that are there are opened. What is damaged is left out and named in
-  /// `damages`.
+  /// Reads the positions of all pages and opens the existing files. Damaged entries are left out and named
+  /// in `damages`.
   [[nodiscard]] Result<void> read(DatabaseConnection& database, std::vector<std::string>& damages);
-  /// Another map begins, in files of its own.
+  /// Starts another map in new files.
   void beginAnew();
 
-  /// Appends a page. It is there from the next commit() on; of one that is added twice, the later.
+  /// Appends a page. It becomes visible with the next commit(); the last of several versions counts.
   [[nodiscard]] Result<void> add(DatabaseConnection& database, const SavedPage& page);
-  /// Brings what was added to the disk: a place must not be there before its record.
+  /// Syncs appended records to disk, which must precede their positions.
   [[nodiscard]] Result<void> flush();
-  /// In a transaction: the places of what was added.
+  /// In a transaction: stores the positions of appended pages.
   [[nodiscard]] Result<void> writeLocations(DatabaseConnection& database) const;
   /// The transaction succeeded.
   void commit();
 
   [[nodiscard]] std::vector<Eigen::Vector3i> positions() const;
-  /// Error: it is damaged.
+  /// Error: the page is damaged.
   [[nodiscard]] Result<std::vector<std::uint32_t>> load(const Eigen::Vector3i& position);
 
-  /// Writes the map anew without what is outdated, if that is much.
+  /// Rewrites the map without outdated records if these are large.
   [[nodiscard]] Result<void> compact(DatabaseConnection& database);
 
-  /// All files that are open are found under their names.
+  /// Whether all open files still have their names.
   [[nodiscard]] bool areStillThere() const;
-  /// Writes the pages of files that are not into new files. Error: the disk failed, or a file is damaged.
+  /// Copies pages of missing files into new files. Error: the disk failed, or a file is damaged.
   [[nodiscard]] Result<void> writeLostAnew(DatabaseConnection& database);
   /// The folder was moved.
   void follow(const std::filesystem::path& folder);
@@ -70,19 +70,19 @@ class MapFiles {
   [[nodiscard]] Result<RecordFile*> fileToAppend(DatabaseConnection& database);
   [[nodiscard]] Result<PageLocation> append(DatabaseConnection& database, const PackedWords& packed);
   [[nodiscard]] Result<void> writeLocations(DatabaseConnection& database, const Pages& pages) const;
-  /// Moves pages to the file that is appended to. Those that cannot be read keep their places.
+  /// Moves pages to the file for appending. Unreadable pages keep their positions.
   [[nodiscard]] Result<Pages> copyPages(DatabaseConnection& database, const Pages& pages);
   /// Moves all pages to new files. Error: the disk failed; the old files still hold the pages.
   [[nodiscard]] Result<void> movePages(DatabaseConnection& database, const std::set<std::int64_t>& old);
   [[nodiscard]] std::uint64_t liveBytes() const;
-  /// Of the map's files that the session made.
+  /// Map files that the session created.
   [[nodiscard]] Result<std::set<std::int64_t>> ownNumbers(DatabaseConnection& database) const;
 
   std::filesystem::path folder_;
   Pages pages_;
   Pages added_;                               // for the next commit()
-  std::map<std::int64_t, RecordFile> files_;  // that are open
-  std::optional<std::int64_t> appended_;      // the file that is appended to
+  std::map<std::int64_t, RecordFile> files_;  // open files
+  std::optional<std::int64_t> appended_;      // file for appending
   std::int64_t last_number_ = 0;
   std::set<std::int64_t> unflushed_;
   bool has_new_file_ = false;

@@ -6,13 +6,13 @@
 #include "core/database/database_connection.h"
 #include "core/session/saved_scan.h"
 
-/// The tables `facts` and `fact_copies` of a session: its metadata by name, twice.
+/// The tables `facts` and `fact_copies` of a session: two copies of its metadata by name.
 namespace scantrove::rows {
 
-/// To be called in a transaction.
+/// Requires a transaction.
 [[nodiscard]] Result<void> writeMetadata(DatabaseConnection& database, const SessionMetadata& metadata);
 
-/// What is damaged or gone is taken from its copy.
+/// Damaged or missing entries are read from their copy.
 [[nodiscard]] Result<SessionMetadata> readMetadata(DatabaseConnection& database,
                                                    std::vector<std::string>& damages);
 

@@ -6,10 +6,10 @@
 
 namespace scantrove {
 
-/// Operations as text: {"kind": "join", "regions": [3, 7], ...}; what is empty is left out.
+/// Operations as text: {"kind": "join", "regions": [3, 7], ...}; empty members are left out.
 [[nodiscard]] std::string operationToJson(const Operation& operation);
 [[nodiscard]] std::string effectToJson(const OperationEffect& effect);
-/// None: it is not what was written.
+/// None: malformed.
 [[nodiscard]] std::optional<Operation> operationFromJson(const std::string& text);
 [[nodiscard]] std::optional<OperationEffect> effectFromJson(const std::string& text);
 

@@ -9,7 +9,7 @@
 /// The table `operations` of a session: the history of edits.
 namespace scantrove::rows {
 
-/// To be called in a transaction.
+/// Requires a transaction.
 [[nodiscard]] Result<void> writeOperations(DatabaseConnection& database,
                                            const std::vector<OperationLog::Entry>& operations);
 

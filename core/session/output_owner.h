@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// Whether an earlier scan of this program wrote `folder`: it holds a session, or a report of ours.
+/// Whether an earlier scan of this program wrote `folder`: it contains a session, or a report of ours.
 [[nodiscard]] bool holdsEarlierScan(const std::filesystem::path& folder);
 
 /// What a scan writes beside its session.
@@ -14,11 +14,11 @@ struct ScanResults {
   bool label_images = false;
 };
 
-/// What earlier scans wrote in `folder`, as its session and its report have it.
+/// The outputs that earlier scans wrote in `folder`, according to its session and report.
 [[nodiscard]] ScanResults ownResults(const std::filesystem::path& folder);
 
-/// Error: a new scan into `folder` would mix with or replace files that no scan of ours wrote there (a
-/// recording's trajectory, a person's pictures); names the first such file and what to do.
+/// Error: a new scan into `folder` would mix with or replace files that no scan of ours wrote (a
+/// recording's trajectory, a user's pictures). Names the first such file and what to do.
 [[nodiscard]] Result<void> checkHoldsOnlyOurs(const std::filesystem::path& folder,
                                               const ScanResults& planned);
 

@@ -7,9 +7,9 @@
 
 namespace scantrove {
 
-/// Words as a fact of a session keeps them: packed, checked, and as base64. Any thread.
+/// Words as metadata of a session: compressed, with a checksum, in base64. Any thread.
 [[nodiscard]] std::string packedText(std::span<const std::uint32_t> words);
-/// None: the text is not what was packed.
+/// None: malformed text.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> wordsFromText(const std::string& text);
 
 }  // namespace scantrove

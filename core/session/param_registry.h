@@ -9,7 +9,7 @@
 
 namespace scantrove {
 
-/// One parameter as a person meets it: on the command line, in a configuration file, in the window.
+/// One parameter in the form that users see: on the command line, in a configuration file, in the window.
 struct ParamInfo {
   std::string key;   ///< e.g. "segmentation.k"
   std::string unit;  ///< "m", "px", ...; empty = a pure number
@@ -25,15 +25,15 @@ struct ParamInfo {
   [[nodiscard]] std::string text(const ScanParams& params) const;
 };
 
-/// The parameters that a person can judge by eye, grouped by stage in pipeline order. All others are members
+/// The parameters that users can judge by eye, grouped by stage in pipeline order. All others are members
 /// of the stages' params with their reason beside them; only tests and benchmarks change them.
 [[nodiscard]] const std::vector<ParamInfo>& paramRegistry();
 
-/// Applies "key=value". Error: unknown key (names those that are near), not a number (a whole one where it
-/// must be), outside its range.
+/// Applies "key=value". Error: unknown key (suggests similar ones), not a number (or not an integer where
+/// required), outside its range.
 [[nodiscard]] Result<void> applySetting(ScanParams& params, const std::string& setting);
 
-/// Applies a TOML file of tables [fusion], [segmentation], ... Error names file, line and key.
+/// Applies a TOML file of tables [fusion], [segmentation], ... Error: names file, line and key.
 [[nodiscard]] Result<void> loadConfig(ScanParams& params, const std::filesystem::path& file);
 
 }  // namespace scantrove

@@ -8,14 +8,14 @@
 
 namespace scantrove {
 
-/// One thing that the catalogue is to do for a region.
+/// One edit of the catalogue for a region.
 struct CatalogueStep {
   enum class Kind {
-    name,          ///< its object gets the name; where it is none, it becomes one
-    redo_name,     ///< the same, where an undo has reverted that
-    revert_name,   ///< the newest naming is reverted: that with `name` or, where that is empty, any
-    add,           ///< it becomes an object
-    revert_object  ///< that is reverted
+    name,          ///< names its object, or makes it one
+    redo_name,     ///< the same, after an undo reverted it
+    revert_name,   ///< reverts the newest naming: the one with `name`, or any if that is empty
+    add,           ///< makes it an object
+    revert_object  ///< reverts that
   };
   Kind kind = Kind::name;
   RegionId region;
@@ -24,26 +24,26 @@ struct CatalogueStep {
   bool operator==(const CatalogueStep&) const = default;
 };
 
-/// What an operation in a session has still to do in the session's catalogue. It is written with the
-/// operation itself, and goes when the catalogue and then the session have it: so an interruption in between
-/// leaves neither half an edit nor, when it is tried again, a second object.
+/// The pending catalogue edits of an operation in a session. They are written with the operation, and
+/// deleted when catalogue and session have them. An interruption therefore leaves no half edit, and a
+/// repetition creates no second object.
 struct PendingEdit {
-  std::string token;  ///< by which the catalogue knows whether it did it; random
+  std::string token;  ///< random; tells the catalogue whether it has done the edit
   std::vector<CatalogueStep> steps;
 
   bool operator==(const PendingEdit&) const = default;
 };
 
-/// The session's fact that keeps them, oldest first.
+/// The session's metadata key for them, oldest first.
 inline constexpr const char* kPendingEditsKey = "pending edits";
 
-/// Of an operation that was done, undone or done again; none: it does not concern the catalogue. `note_of`:
-/// what is said of a region now.
+/// For an operation that was done, undone or redone; none: it does not concern the catalogue. `note_of`:
+/// the region's current note.
 [[nodiscard]] std::vector<CatalogueStep> catalogueStepsOf(
     const Operation& operation, EditDirection direction,
     const std::function<const RegionNote&(RegionId)>& note_of);
 
-/// Random: no two edits of any sessions share one.
+/// Random, unique among all sessions' edits.
 [[nodiscard]] std::string newToken();
 
 /// With a new token.
@@ -51,7 +51,7 @@ inline constexpr const char* kPendingEditsKey = "pending edits";
 
 /// As text; empty for none.
 [[nodiscard]] std::string pendingEditsToJson(const std::vector<PendingEdit>& edits);
-/// None for what was not written so.
+/// Empty for malformed text.
 [[nodiscard]] std::vector<PendingEdit> pendingEditsFromJson(const std::string& text);
 
 }  // namespace scantrove

@@ -7,29 +7,29 @@
 
 namespace scantrove {
 
-/// A file of records, each written once at the end of the file and never changed: whatever happens to the
-/// program, what was written stays readable. One thread.
+/// A file of records, each appended once and never changed, so that written records survive a crash. One
+/// thread.
 class RecordFile {
  public:
-  /// Makes a file. Error: there is one of that name; names `path`.
+  /// Creates a file. Error: the name exists; names `path`.
   [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path);
-  /// Error: there is none, or it is no regular file (links are not followed); names `path`.
+  /// Opens a file. Error: missing, or no regular file (links are not followed); names `path`.
   [[nodiscard]] static Result<RecordFile> open(const std::filesystem::path& path);
   RecordFile(RecordFile&& other) noexcept;
   RecordFile& operator=(RecordFile&& other) noexcept;
   ~RecordFile();
 
-  /// Where the record lies. Error: the disk is full, ...; the file's records are as before.
+  /// Returns the record's offset. Error: the disk is full, ...; existing records are unchanged.
   [[nodiscard]] Result<std::uint64_t> append(const PackedWords& packed);
-  /// What is on disk by then survives a power cut, too.
+  /// Syncs to disk: everything written so far survives a power cut.
   [[nodiscard]] Result<void> flush();
 
-  /// Of `bytes` at `offset`. Error: there is not so much.
+  /// Reads `bytes` at `offset`. Error: the file is shorter.
   [[nodiscard]] Result<std::vector<char>> read(std::uint64_t offset, std::uint64_t bytes) const;
 
   [[nodiscard]] std::uint64_t size() const { return end_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Whether the file is still found under its name; it can be read anyway.
+  /// Whether the file still has its name; it can be read anyway.
   [[nodiscard]] bool isStillThere() const;
 
  private:

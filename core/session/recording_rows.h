@@ -9,11 +9,11 @@
 /// The table `recordings` of a session (schema/006_recordings.sql).
 namespace scantrove::rows {
 
-/// To be called in a transaction.
+/// Requires a transaction.
 [[nodiscard]] Result<void> writeRecordings(DatabaseConnection& database,
                                            const std::vector<SavedRecording>& recordings);
 
-/// In order; those that are not what they should be are left out, with a sentence.
+/// In order; malformed rows are left out, with a sentence.
 [[nodiscard]] Result<std::vector<SavedRecording>> readRecordings(DatabaseConnection& database,
                                                                  std::vector<std::string>& damages);
 

@@ -3,11 +3,11 @@
 
 namespace scantrove {
 
-/// The key that tells how far the scan's refinement has come, and what it tells.
+/// The metadata key and values for the progress of the scan's refinement.
 inline constexpr const char *kRefinementKey = "refinement", *kRefinementDone = "done",
                             *kRefinementPending = "pending";
 
-/// Whether the session's scan can be refined still: that was skipped, or the scan broke off.
+/// Whether the session's scan can still be refined: refinement was skipped, or the scan was interrupted.
 [[nodiscard]] bool canBeRefined(const SessionMetadata& metadata);
 
 }  // namespace scantrove

@@ -7,26 +7,26 @@
 
 namespace scantrove {
 
-/// What there is to say of a region. Lists, label maps, pictures and data sets all say this.
+/// The label of a region, as in lists, label maps, pictures and data sets.
 struct RegionLabel {
   std::string name, category;  ///< empty: none
-  ObjectId object;             ///< of the catalogue
-  bool is_named = false;       ///< by a person
+  ObjectId object;             ///< in the catalogue
+  bool is_named = false;       ///< by a user
   bool is_object = false;
   bool confirmed = false;
   bool background = false;
   bool rejected = false;
 };
 
-/// A name that the catalogue has of a person counts for more than the session's, unless the catalogue was
-/// never told of that (`is_session_only`). What was deleted is no object.
+/// A user's name in the catalogue takes precedence over the session's, unless the catalogue never received
+/// that (`is_session_only`). A deleted entry is no object.
 [[nodiscard]] RegionLabel labelOf(const RegionNote& note, const RegionObject& object,
                                   bool is_session_only = false);
 
-/// Regions that were merged into the object of others are of the class of those.
+/// Regions merged into an object get the category of its other regions.
 void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<RegionId, RegionObject>& objects);
 
-/// What a session keeps of its regions' objects, for when their catalogue is not there.
+/// A session's copy of its regions' objects, used when the catalogue is missing.
 struct RememberedObject {
   RegionObject object;
   std::string catalogue;  ///< identity
@@ -34,16 +34,16 @@ struct RememberedObject {
 };
 using RememberedObjects = std::map<RegionId, RememberedObject>;
 
-/// The fact that keeps the name that a region got in its session alone.
+/// The metadata key for a region's name that only its session has.
 [[nodiscard]] inline std::string sessionOnlyKeyOf(RegionId region) {
   return "session only " + std::to_string(region.value);
 }
-/// The fact that keeps them.
+/// The metadata key for the copy.
 inline constexpr const char* kObjectsKey = "objects";
 [[nodiscard]] std::string rememberedToText(const RememberedObjects& objects);
-/// None for what was not written so.
+/// Empty for malformed text.
 [[nodiscard]] RememberedObjects rememberedFrom(const std::string& text);
-/// `now`: of all regions that are objects of `catalogue`. Of the others what another catalogue said stays.
+/// `now`: all regions that are objects of `catalogue`. Other regions keep data from another catalogue.
 [[nodiscard]] RememberedObjects remember(RememberedObjects before,
                                          const std::map<RegionId, RegionObject>& now,
                                          const std::string& catalogue);

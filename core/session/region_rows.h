@@ -9,10 +9,10 @@
 /// The tables `fragments`, `regions` and `borders` of a session.
 namespace scantrove::rows {
 
-/// To be called in a transaction.
+/// Requires a transaction.
 [[nodiscard]] Result<void> writeRegions(DatabaseConnection& database, const SavedDelta& delta);
 
-/// Fills scan.fragments, scan.regions and scan.borders, by number.
+/// Fills scan.fragments, scan.regions and scan.borders, in order of number.
 [[nodiscard]] Result<void> readRegions(DatabaseConnection& database, SavedScan& scan,
                                        std::vector<std::string>& damages);
 

@@ -8,9 +8,9 @@
 
 namespace scantrove {
 
-/// Views of a region cut from the key frames of a session: those that show most of it, from at most `most`
-/// directions, the best one first. Key frames that cannot be read are passed over. Empty: none shows it in
-/// colour. Error: the device failed. The thread of the session; may throw.
+/// Crops views of a region from the key frames of a session: those that show most of it, from at most
+/// `most` directions, best first. Unreadable key frames are skipped. Empty: none shows it in colour. Error:
+/// the device failed. The session's thread; may throw.
 [[nodiscard]] Result<std::vector<ObjectView>> viewsOfRegion(OpenSession& session, RegionId region,
                                                             std::size_t most);
 

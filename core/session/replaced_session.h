@@ -6,11 +6,11 @@
 
 namespace scantrove {
 
-/// Error: somebody has labelled the session, so that no new scan may take its place.
+/// Error: a user has labelled the session, so no new scan may replace it.
 [[nodiscard]] Result<void> checkIsUnlabeled(DatabaseConnection& database,
                                             const std::filesystem::path& folder);
 
-/// In a transaction: makes a session what it was when it was made. Its files are outdated from then on.
+/// In a transaction: resets a session to its initial state. Its files become outdated.
 [[nodiscard]] Result<void> clearSession(DatabaseConnection& database);
 
 }  // namespace scantrove

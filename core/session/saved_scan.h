@@ -17,25 +17,25 @@
 
 namespace scantrove {
 
-/// What is kept of a scan: plain values, as they go to disk and come back.
+/// Stored data of a scan: plain values, as written and read.
 struct SavedFrame {
-  int number = 0;        ///< 0, 1, ... in the order in which the scan saw them
-  int source_index = 0;  ///< RgbdFrame::index; SavedRecording says which one its recording has
+  int number = 0;        ///< 0, 1, ... in the order of the scan
+  int source_index = 0;  ///< RgbdFrame::index in its recording (see SavedRecording)
   double time_s = 0;     ///< likewise
   TrackingState state = TrackingState::lost;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 
-  /// The pose may be trusted.
+  /// Whether the pose is reliable.
   [[nodiscard]] bool isUsable() const {
     return state == TrackingState::tracking || state == TrackingState::relocalized;
   }
 };
 
-/// A recording, or a part of one, that became part of the scan.
+/// A recording, or a part of one, that belongs to the scan.
 struct SavedRecording {
   int first_frame = 0;  ///< SavedFrame::number
-  std::string source;   ///< as it was given
-  /// What its own frame numbers and times lack to those of the scan.
+  std::string source;   ///< as given
+  /// Offsets from its frame numbers and times to those of the scan.
   int index_shift = 0;
   double time_shift_s = 0;
 };
@@ -46,63 +46,62 @@ struct SavedKeyFrame {
   float meters_per_unit = 0.001F;
   int color_width = 0, color_height = 0;
   std::optional<ColorCamera> color_camera;  ///< RgbdFrame::color_camera
-  /// CRC-32 of the files. None: of a session of an earlier version.
+  /// CRC-32 of the files. None: session of an earlier version.
   std::optional<std::uint32_t> color_checksum = {}, depth_checksum = {};
 };
 
 struct SavedFragment {
   FragmentId fragment;
-  RegionId region;  ///< none: the fragment is no more
+  RegionId region;  ///< none: the fragment no longer exists
   int voxels = 0;
   ViewCoverage seen_from = {};
 };
 
 struct SavedRegion {
   RegionId region;
-  ObjectId object;  ///< of the catalogue
+  ObjectId object;  ///< in the catalogue
   RegionNote note;
   bool operator==(const SavedRegion&) const = default;
 };
 
 struct SavedBorder {
   FragmentId a, b;                         ///< a < b
-  std::optional<BorderEvidence> evidence;  ///< none: there is none any more
+  std::optional<BorderEvidence> evidence;  ///< none: deleted
 };
 
-/// A page of bricks, as BrickMap gives and takes it.
+/// A page of bricks, as BrickMap provides and accepts it.
 struct SavedPage {
   Eigen::Vector3i position = Eigen::Vector3i::Zero();  ///< BrickPages::Page::position
   std::vector<std::uint32_t> words;                    ///< StoredPage::toWords
 };
 
-/// What is known of the camera when a scan stops, as toWords() of CameraMemory has it.
+/// The camera state when a scan stops: toWords() of CameraMemory.
 struct SavedCamera {
   int frame = 0;  ///< SavedFrame::number of the last one
   std::vector<std::uint32_t> words;
 };
 
-/// What holds for the whole scan, by name.
+/// Metadata of the whole scan, by name.
 using SessionMetadata = std::map<std::string, std::string>;
 
-/// All but the pages of the map that changed since the delta before: one moment of the scan, between two
-/// frames.
+/// Changes since the last delta, at one moment between two frames; pages of the map are stored separately.
 struct SavedDelta {
   SessionMetadata metadata;
-  std::vector<SavedFrame> frames;  ///< new ones, or understood late
+  std::vector<SavedFrame> frames;  ///< new ones, or integrated late
   std::vector<SavedRecording> recordings;
   std::vector<SavedKeyFrame> key_frames;
   std::vector<SavedFragment> fragments;
-  std::vector<SavedRegion> regions;  ///< of which something is to be said, or was
+  std::vector<SavedRegion> regions;  ///< with a label now or before
   std::vector<SavedBorder> borders;
   std::vector<OperationLog::Entry> operations;
   std::optional<SavedCamera> camera;
 };
 
-/// A scan as it was read back, but for its map, which is read page by page, and what is known of its camera.
+/// A scan that was read, without its map, which is read page by page, and without its camera state.
 struct SavedScan {
   SessionMetadata metadata;
   std::vector<SavedFrame> frames;          ///< by number
-  std::vector<SavedRecording> recordings;  ///< in order; of an older session, those that are known
+  std::vector<SavedRecording> recordings;  ///< in order; of an older session, the known ones
   std::vector<SavedKeyFrame> key_frames;
   std::vector<SavedFragment> fragments;
   std::vector<SavedRegion> regions;

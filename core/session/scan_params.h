@@ -4,7 +4,7 @@
 
 namespace scantrove {
 
-/// Every parameter of a scan: one immutable value, replaced whole.
+/// All parameters of a scan: one immutable value, replaced whole.
 struct ScanParams : MappingParams {
   DetectionParams detection;
 };

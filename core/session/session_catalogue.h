@@ -6,29 +6,23 @@
 
 namespace scantrove {
 
-// What is said of the regions of an opened session, told to the catalogue that it was scanned with. The
-// thread of the session.
+// Applies labels of an opened session to the catalogue of its scan. The session's thread.
 
-/// The catalogue of the session: a file that may be missing; empty: it had none.
+/// The session's catalogue: a file that may be missing; empty: it had none.
 [[nodiscard]] std::filesystem::path catalogueFileOf(const OpenSession& session);
 
-/// Whether an edit has something left to do in the catalogue.
+/// Whether an edit is still pending in the catalogue.
 [[nodiscard]] bool isCataloguePending(const OpenSession& session);
 
-/// The catalogue does what operations of the session wait for (OpenSession::pendingEdits), each as a whole
-/// and once, however often this is tried:
-/// - A region that was named is an object of that name, confirmed: the one that it is already, made one with
-/// another of
-///   that name where there is such; else a new one, with views from the session's key frames.
-/// - A naming that was undone is taken back, but for what others said of the object since; an object that was
-/// made for
-///   it is removed.
-/// - A region that is said to be an object is one, named by the program where it is new; an undo takes that
-/// back
-///   likewise.
-/// Error: the catalogue is not there (none is made), cannot be written, or the device failed: then the edit
-/// waits until the next call or until the session is opened again. Or something cannot be done at all, such
-/// as to name a region that no key frame shows: the rest is done.
+/// Executes the pending catalogue edits of the session (OpenSession::pendingEdits), each atomically and
+/// once, however often it is tried:
+/// - A named region becomes a confirmed object of that name: its own, merged with another object of that
+/// name if there is one, or a new one with views from the key frames.
+/// - An undone naming is reverted, except for later changes by others; an object made for it is removed.
+/// - A region marked as an object becomes one; the program names a new one. An undo reverts that likewise.
+/// Error: the catalogue is missing (none is created) or not writable, or the device failed: the edit waits
+/// until the next call or the next opening. Also if something is impossible, such as naming a region that
+/// no key frame shows: the rest is done.
 [[nodiscard]] Result<void> applyToCatalogue(OpenSession& session);
 
 }  // namespace scantrove

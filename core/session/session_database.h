@@ -11,11 +11,11 @@
 
 namespace scantrove {
 
-/// session.sqlite, open, and what has become of its name: the connection goes on to work in a file that was
-/// removed or moved, which nobody would find again. For the thread that opened it.
+/// The open session.sqlite, and a check of its name: SQLite would continue in a removed or moved file,
+/// which nobody would find again. For the thread that opened it.
 class SessionDatabase {
  public:
-  /// Opens or creates, and brings the tables up to date. Error: as of DatabaseConnection and migrate().
+  /// Opens or creates the file and migrates its tables. Error: as of DatabaseConnection and migrate().
   [[nodiscard]] static Result<SessionDatabase> open(const std::filesystem::path& file);
   SessionDatabase(SessionDatabase&&) noexcept = default;
   SessionDatabase& operator=(SessionDatabase&&) noexcept = default;
@@ -25,14 +25,14 @@ class SessionDatabase {
 
   /// False: a failure of follow() or writeAnew() left it closed.
   [[nodiscard]] bool isOpen() const { return connection_ != nullptr && main_; }
-  /// The file and those that SQLite has beside it are found under their names.
+  /// Whether the file and SQLite's files beside it still have their names.
   [[nodiscard]] bool isStillThere() const;
-  /// Where the folder is that the file was moved with; empty: it was not moved with its folder.
+  /// The new folder if the file was moved with its folder; else empty.
   [[nodiscard]] std::filesystem::path folderItWasMovedWith() const;
   /// Opens the same file in its new folder. Error: it cannot be opened.
   [[nodiscard]] Result<void> follow(const std::filesystem::path& folder);
-  /// Writes all that the connection knows anew, under the old name, or under another one where somebody's
-  /// file has that by now, and works in there from then on. Error: it cannot be written.
+  /// Writes the connection's whole content to a new file with the old name, or another if the name is
+  /// taken, and continues there. Error: writing failed.
   [[nodiscard]] Result<void> writeAnew();
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -46,7 +46,7 @@ class SessionDatabase {
   std::filesystem::path file_;
   std::unique_ptr<DatabaseConnection> connection_;
   std::optional<HeldFile> main_;
-  std::vector<HeldFile> beside_;  // of SQLite
+  std::vector<HeldFile> beside_;  // SQLite's files
 };
 
 }  // namespace scantrove

@@ -13,33 +13,35 @@ namespace scantrove {
 class ObjectDatabase;
 class OpenSession;
 
-/// What one operation that joined regions did to their objects, as the session keeps it.
+/// The effect of one operation that joined regions on their objects, as the session stores it.
 struct JoinedObjects {
   enum class State { to_merge, done, to_unmerge };
   State state = State::done;
-  std::string token = {};                            // by which the catalogue knows whether it did it
-  std::map<RegionId, ObjectId> before;               // of the joined regions; none: it was no object
-  std::vector<std::pair<ObjectId, ObjectId>> pairs;  // that are to be one
+  std::string token = {};                            // tells the catalogue whether it has done it
+  std::map<RegionId, ObjectId> before;               // of the joined regions; none: no object
+  std::vector<std::pair<ObjectId, ObjectId>> pairs;  // to be merged
   std::vector<ObjectMerge> merges;                   // done in the catalogue
 };
 
-/// The session's fact that keeps those of the operation with that number.
+/// The metadata key for the joins of the operation with that number.
 [[nodiscard]] std::string joinKeyOf(int operation);
 [[nodiscard]] std::string joinedToText(const JoinedObjects& joined);
-/// An empty one for what was not written so.
+/// Empty for malformed text.
 [[nodiscard]] JoinedObjects joinedFrom(const std::string& text);
 
-/// Number of the operation that was done, or undone, last; 0: none.
+/// Number of the operation that was done or undone last; 0: none.
 [[nodiscard]] int lastOperation(const OperationLog& log, bool is_undone);
 
-/// Joined regions are what any of them was; what to merge in the catalogue for that. `objects` follow.
+/// Joined regions take the object of any of them; returns the merges to do in the catalogue. Updates
+/// `objects`.
 [[nodiscard]] JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectId>& objects);
 
-/// Whether joins, or undone joins, have something left to do in the catalogue.
+/// Whether joins or undone joins are still pending in the catalogue.
 [[nodiscard]] bool areJoinsPending(const OpenSession& session);
 
-/// Does it, each operation once: two objects become one, as in a running scan, unless users settled both.
-/// Thread of the session. Error: the catalogue failed, and the next call tries again; or users settled both.
+/// Executes them, each operation once: two objects are merged, as in a running scan, unless users settled
+/// both. The session's thread. Error: the catalogue failed, and the next call tries again; or users settled
+/// both.
 [[nodiscard]] Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database);
 
 }  // namespace scantrove

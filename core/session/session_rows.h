@@ -10,13 +10,13 @@
 /// The tables of a session but for `pages` (schema/001_session.sql).
 namespace scantrove::rows {
 
-/// To be called in a transaction.
+/// Requires a transaction.
 [[nodiscard]] Result<void> write(DatabaseConnection& database, const SavedDelta& delta);
 
-/// All rows; those that are not what they should be are left out, with a sentence for each kind.
+/// All rows; malformed ones are left out, with a sentence for each kind.
 [[nodiscard]] Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages);
 
-/// None: nothing was kept, or it is damaged.
+/// None: nothing was stored, or it is damaged.
 [[nodiscard]] Result<std::optional<SavedCamera>> readCamera(DatabaseConnection& database);
 
 }  // namespace scantrove::rows

@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-/// A session as data sets are made from it. The thread of the session, which outlives this.
+/// A session as the source of data sets. The thread of the session, which outlives this.
 class SessionScan final : public LabeledScan {
  public:
   explicit SessionScan(OpenSession& session);
@@ -25,7 +25,7 @@ class SessionScan final : public LabeledScan {
   [[nodiscard]] Result<Trajectory> trajectory() override;
 
  private:
-  /// A frame whose images were kept, by the number that it is known by outside.
+  /// A frame with stored images, and its external number.
   struct StoredFrame {
     int index;
     const SavedKeyFrame* images;

@@ -9,8 +9,8 @@
 #include "core/database/database_connection.h"
 #include "core/session/checked_rows.h"
 
-/// Reads whole tables of a session. Rows that are not what they should be, or that do not match their
-/// checksum, are left out, with a sentence for each kind.
+/// Reads whole tables of a session. Malformed rows, and rows that do not match their checksum, are left out
+/// with a sentence for each kind.
 namespace scantrove::rows {
 
 [[nodiscard]] inline QString text(const std::string& value) { return QString::fromStdString(value); }
@@ -18,14 +18,14 @@ namespace scantrove::rows {
   return row.value(column).toString().toStdString();
 }
 
-/// A table as it is read.
+/// A table to read.
 struct Reading {
   const char* table;
   const char* sql;
   const char* called;  ///< in sentences
 };
 
-/// take(row) gives false for a row that is not what it should be.
+/// take(row) returns false for a malformed row.
 template <class Take>
 [[nodiscard]] Result<void> readRows(DatabaseConnection& database, const Reading& reading,
                                     std::vector<std::string>& damages, Take&& take) {
@@ -43,7 +43,7 @@ template <class Take>
   return {};
 }
 
-/// All rows of which `from` makes something.
+/// All rows that `from` converts.
 template <class Row>
 [[nodiscard]] Result<void> readTable(DatabaseConnection& database, const Reading& reading,
                                      std::vector<std::string>& damages, std::vector<Row>& list,
