@@ -40,7 +40,7 @@ MaskOverlaps overlapsOf(const cv::Mat& mask, const cv::Rect& box, const cv::Mat1
   return overlaps;
 }
 
-/// Those with a share worth naming, largest first.
+/// Instances above the minimum share, largest first.
 std::vector<int> namedInstances(const MaskOverlaps& overlaps) {
   std::vector<std::pair<int, int>> by_share;
   for (const auto& [instance, pixels] : overlaps.shared) {
@@ -101,7 +101,7 @@ EntryJudgment judgeEntry(std::span<const ViewJudgment> views) {
     }
   }
   const bool is_complete = entry.views > 0 && entry.whole_views >= kWholeViews * entry.views;
-  if (!is_complete && most_others == 0 && entry.views > 0) {  // whole, but each time something else
+  if (!is_complete && most_others == 0 && entry.views > 0) {  // whole views, but of different objects
     for (const auto& [kind, count] : counts) others.second.push_back(kind.second.front());
     others.first = CatalogueVerdict::merger;
   }

@@ -3,8 +3,8 @@
 
 namespace scantrove {
 
-/// How a set of errors is distributed (unit of the errors); zeros for an empty set. The median of an even
-/// number of errors is the mean of the middle two.
+/// Distribution of a set of errors (unit of the errors); zeros for an empty set. The median of an even number
+/// of errors is the mean of the middle two.
 struct ErrorSummary {
   double rmse = 0;
   double mean = 0;

@@ -3,16 +3,15 @@
 
 namespace scantrove {
 
-/// A label image as the metrics take it: h x w, CV_32SC1 (or CV_16UC1, CV_8UC1, widened). Checks the type.
+/// Converts a label image for the metrics: h x w, CV_32SC1 (or CV_16UC1, CV_8UC1, widened). Checks the type.
 [[nodiscard]] cv::Mat1i toLabelGrid(const cv::Mat& labels);
 
-/// Boundary pixels, h x w, 255 or 0: a pixel is on the boundary when its right or its lower neighbour has
-/// another label. So a boundary is one pixel wide and lies on the left (upper) side of the change. Unlabelled
-/// (0) is a label like others.
+/// Boundary pixels, h x w, 255 or 0: pixels whose right or lower neighbour has another label. Boundaries are
+/// one pixel wide, on the left (upper) side of the change. Unlabelled (0) counts as a label.
 [[nodiscard]] cv::Mat1b boundaryPixels(const cv::Mat1i& labels);
 
-/// Exact Euclidean distance in pixels of each pixel to the nearest boundary pixel, h x w. An image without
-/// any boundary gives its diagonal everywhere: the farthest that a boundary could be.
+/// Exact Euclidean distance in pixels of each pixel to the nearest boundary pixel, h x w. Without any
+/// boundary every distance is the image's diagonal, an upper bound.
 [[nodiscard]] cv::Mat1f distanceToBoundary(const cv::Mat1b& boundary);
 
 }  // namespace scantrove

@@ -14,8 +14,8 @@ float quantile(std::vector<float> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-/// Without those that lie four times as far from the middle as half of them: at an object's outline, depth
-/// cameras read what is far behind it.
+/// Removes points over four times the median distance from the centre: at outlines, depth cameras also
+/// measure the background.
 std::vector<Eigen::Vector3f> withoutStrays(std::span<const Eigen::Vector3f> points) {
   Eigen::Vector3f middle;
   for (int axis = 0; axis < 3; ++axis) {

@@ -4,9 +4,8 @@
 
 namespace scantrove {
 
-/// The longest side of the box around measured points, along their principal axes, metres. A hundredth of the
-/// points at either end, and stray points far from all others, are taken for noise. 0 for fewer than three
-/// points.
+/// Longest side, in metres, of the box around measured points along their principal axes. Ignores a hundredth
+/// of the points at either end and stray points far from all others as noise. 0 for fewer than three points.
 [[nodiscard]] double longestSide(std::span<const Eigen::Vector3f> points);
 
 }  // namespace scantrove

@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-/// Of each instance, the best intersection over union with any segment.
+/// For each instance, the best intersection over union with any segment.
 std::map<int, double> bestOverlaps(const OverlapTable& table) {
   std::map<int, double> best;
   for (const auto& [instance, area] : table.instance_area) best[instance] = 0;

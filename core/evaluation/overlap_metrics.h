@@ -12,8 +12,7 @@ struct OverlapTable {
   std::map<std::pair<int, int>, int> intersection;  ///< (instance, segment)
 };
 
-/// A segment's area counts all its pixels, also those on true label 0: a segment that leaks into the
-/// background pays.
+/// A segment's area includes pixels of true label 0, so that leaking into the background is penalised.
 [[nodiscard]] OverlapTable countOverlaps(const cv::Mat1i& segmentation, const cv::Mat1i& truth,
                                          int min_instance_px);
 
@@ -25,20 +24,20 @@ struct Coverage {
 /// Mean over true instances of the best intersection over union with any segment (0 where none touches it).
 [[nodiscard]] Coverage coverage(const OverlapTable& table);
 
-/// How well instances of one size are found.
+/// Detection of instances in one size range.
 struct SizedCoverage {
   int instances = 0;
   double coverage = 0;   ///< mean of the best intersection over union
-  double over_half = 0;  ///< share of the instances that one segment covers by more than half (IoU > 0.5)
+  double over_half = 0;  ///< share of the instances with IoU > 0.5 to one segment
 };
 
-/// Of the instances whose area is `least` to `most` pixels, both included.
+/// For instances with an area of `least` to `most` pixels, both included.
 [[nodiscard]] SizedCoverage coverageOfSize(const OverlapTable& table, double least, double most);
 
-/// Instances of which at least two segments each hold `share` or more of the instance's area.
+/// Number of instances of which at least two segments each hold `share` or more of the area.
 [[nodiscard]] int overSegmentedCount(const OverlapTable& table, double share);
 
-/// Segments that hold `share` or more of the area of each of at least two instances.
+/// Number of segments that hold `share` or more of the area of each of at least two instances.
 [[nodiscard]] int underSegmentedCount(const OverlapTable& table, double share);
 
 }  // namespace scantrove

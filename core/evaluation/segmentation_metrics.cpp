@@ -14,7 +14,7 @@ namespace {
 constexpr double kSmall_px = 400;
 constexpr double kLarge_px = 15000;
 
-/// Adds the sums of one image; the means are made at the end.
+/// Adds the sums of one image; means are computed at the end.
 void addSums(SizedCoverage& sum, const SizedCoverage& image) {
   sum.instances += image.instances;
   sum.coverage += image.coverage * image.instances;

@@ -29,8 +29,8 @@ std::vector<PosePair> associate(std::span<const StampedPose> estimate, std::span
   };
   for (std::size_t e = 0; e < estimate.size(); ++e) {
     const std::size_t t = nearestIndex(truth, estimate[e].timestamp_s);
-    // Recordings print times with four to six digits: a difference of exactly the limit must not hang on
-    // rounding.
+    // Recordings print times with four to six digits: rounding must not decide whether a difference equals
+    // the limit.
     if (distance(e, t) > max_difference_s + 1e-9) continue;
     std::optional<std::size_t>& holder = estimate_of_truth[t];
     if (!holder || distance(e, t) < distance(*holder, t)) holder = e;
@@ -58,8 +58,7 @@ Eigen::Isometry3d alignRigidly(std::span<const PosePair> pairs) {
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0)
-    signs.z() = -1;  // a rotation, not a mirror
+  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) signs.z() = -1;  // excludes reflections
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   T.translation() = truth_mean - T.linear() * estimate_mean;

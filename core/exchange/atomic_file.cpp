@@ -44,15 +44,16 @@ class Descriptor {
     return true;
   }
   [[nodiscard]] bool flush() const { return ::fsync(fd_) == 0; }
-  /// Whether nobody else has it locked; it stays locked until it is closed, by a killed program too.
+  /// Tries to lock the file. The lock lasts until the file is closed, also by a killed program.
   [[nodiscard]] bool lock() const { return ::flock(fd_, LOCK_EX | LOCK_NB) == 0; }
-  /// A plain file of this user with a single name.
+  /// Whether it is a regular file of this user with a single name.
   [[nodiscard]] bool isOwnFile() const {
     struct stat status {};
     return ::fstat(fd_, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
            status.st_nlink == 1;
   }
-  /// Tells what closing tells (a network's disk reports a failed write then), and leaves it open and locked.
+  /// Reports the errors of closing (network disks then report failed writes), but keeps the file open and
+  /// locked.
   [[nodiscard]] bool settle() const {
     const int copy = ::dup(fd_);
     return copy >= 0 && ::close(copy) == 0;
@@ -62,22 +63,22 @@ class Descriptor {
   int fd_;
 };
 
-/// A file that is being written: locked, and removed unless it was renamed.
+/// A locked file in progress; removed unless it was renamed.
 class PartFile {
  public:
   explicit PartFile(const fs::path& path)
       : path_(makePartName(path)), file_(path_, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW) {
-    // Where a file system has no locks, an unlocked part file is as good.
+    // Continue without lock on file systems that have none.
     if (file_.isOpen()) (void)file_.lock();
   }
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
   ~PartFile() {
     std::error_code ignored;
-    if (file_.isOpen()) fs::remove(path_, ignored);  // otherwise the name may be somebody else's
+    if (file_.isOpen()) fs::remove(path_, ignored);  // otherwise the name may belong to another program
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
-  /// Every byte reached the file, and the disk if asked for.
+  /// Whether every byte reached the file, and the disk if requested.
   [[nodiscard]] bool fill(const std::function<std::string_view()>& next, Durability durability) const {
     if (!file_.isOpen()) return false;
     for (std::string_view bytes = next(); !bytes.empty(); bytes = next()) {
@@ -95,7 +96,7 @@ std::function<std::string_view()> onePiece(std::string_view bytes) {
   return [bytes]() mutable { return std::exchange(bytes, {}); };
 }
 
-/// Removes the part files of killed runs: this program named them, and nobody holds their lock.
+/// Removes part files of killed runs: this program's names, without a lock.
 void removeAbandonedParts(const fs::path& folder) {
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
@@ -107,7 +108,7 @@ void removeAbandonedParts(const fs::path& folder) {
   }
 }
 
-/// A renamed file survives a power cut only once its folder is on the disk as well.
+/// A rename survives a power cut only after its folder was flushed to the disk.
 void flushFolder(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
@@ -122,7 +123,7 @@ Result<void> writeFileAtomically(const fs::path& path, std::string_view bytes, D
 
 Result<void> writeFileAtomically(const fs::path& path, const std::function<std::string_view()>& next,
                                  Durability durability) {
-  // An earlier file is not to be lost in a power cut that the new one does not outlive.
+  // A power cut must not lose the earlier file before the new one is on the disk.
   std::error_code ignored;
   if (fs::exists(path, ignored)) durability = Durability::power;
   const PartFile part(path);

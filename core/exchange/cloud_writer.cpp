@@ -27,7 +27,7 @@ void put(std::string& bytes, const T&... values) {
   (append(values), ...);
 }
 
-/// Single precision holds no point that is far from the world's origin.
+/// Single precision cannot represent points far from the world's origin.
 bool needsDoubles(const Eigen::Vector3d& origin_world) { return !origin_world.isZero(0); }
 
 void putPlace(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::string& bytes) {
@@ -46,7 +46,7 @@ void putPly(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::str
   put(bytes, p.r, p.g, p.b, p.label);
 }
 
-/// A cloud of a large scan has as many bytes as its map: they are made a piece at a time.
+/// Encodes a cloud piece by piece, since a large scan's cloud is as large as its map.
 Result<void> write(const std::filesystem::path& path, std::string header, const LabeledCloud& points,
                    const Eigen::Vector3d& origin_world,
                    void (*put)(const LabeledPoint&, const Eigen::Vector3d&, std::string&)) {
@@ -63,7 +63,7 @@ Result<void> write(const std::filesystem::path& path, std::string header, const 
   });
 }
 
-/// As PCL writes it, for points of `x y z rgba label` without gaps.
+/// PCL's header for points of `x y z rgba label` without padding.
 std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewpoint, bool has_doubles,
                       const std::string& comment) {
   pcl::PCLPointCloud2 cloud;
@@ -88,7 +88,7 @@ std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewp
   const Eigen::Quaterniond orientation(T_world_viewpoint.linear());
   std::string header =
       pcl::PCDWriter().generateHeaderBinary(cloud, origin, orientation.normalized().cast<float>());
-  header.insert(header.find('\n') + 1, "# " + comment + '\n');  // the first line tells what it is
+  header.insert(header.find('\n') + 1, "# " + comment + '\n');  // the first line identifies the format
   return header + "DATA binary\n";
 }
 

@@ -9,26 +9,25 @@
 
 namespace scantrove {
 
-// Points are relative to `origin_world`, which is added to them. Where it is not zero, x, y and z are double.
+// Points are relative to `origin_world`, which is added on writing. If it is not zero, x, y and z are double.
 
-/// The bytes of such a file as writePcd() writes. VIEWPOINT is where the points were acquired from: x right,
-/// y down, z forward.
+/// The bytes of writePcd()'s file. VIEWPOINT is the acquisition pose: x right, y down, z forward.
 [[nodiscard]] std::string encodePcd(
     std::span<const LabeledPoint> points,
     const Eigen::Isometry3d& T_world_viewpoint = Eigen::Isometry3d::Identity(),
     const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero());
 
-/// What the headers of clouds say of them, where nothing else is to be said.
+/// Default comment in the headers of clouds.
 inline constexpr const char* kCloudComment = "labelled cloud: metres, label = region id";
 
-/// Binary PCD with fields `x y z rgba label`; reads back as pcl::PointXYZRGBL (float). An empty cloud is a
-/// valid file. `comment`: one line for its header. Written beside and renamed. Error: names `path`.
+/// Writes binary PCD with fields `x y z rgba label`, readable as pcl::PointXYZRGBL (float). An empty cloud is
+/// a valid file. `comment`: one line for its header. Written atomically. Error: names `path`.
 Result<void> writePcd(const std::filesystem::path& path, const LabeledCloud& points,
                       const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero(),
                       const std::string& comment = kCloudComment);
 
-/// Binary little-endian PLY with vertex properties `float x y z, uchar red green blue, uint label`.
-/// `comment`: as of writePcd(). Written beside and renamed. Error: names `path`.
+/// Writes binary little-endian PLY with vertex properties `float x y z, uchar red green blue, uint label`.
+/// `comment`: as for writePcd(). Written atomically. Error: names `path`.
 Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& points,
                       const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero(),
                       const std::string& comment = kCloudComment);

@@ -9,13 +9,13 @@
 
 namespace scantrove {
 
-/// Writes `labels` (of `size`, row by row, 0 = unlabelled) as a 16-bit grey PNG, fast rather than small: it
-/// is called for every frame of a scan. The same labels give the same bytes. Written beside and renamed.
-/// Error: names `path`, or the id when one is above 65535, which 16 bits cannot hold.
+/// Writes `labels` (of `size`, row by row, 0 = unlabelled) as a 16-bit grey PNG. Favours speed over size, as
+/// it runs for every frame of a scan. The same labels give the same bytes. Written atomically. Error: names
+/// `path`, or the id if one exceeds 65535, the 16-bit limit.
 Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const std::uint32_t> labels,
                              cv::Size size);
 
-/// The bytes of such a file. Error: the id that 16 bits cannot hold; names `path`.
+/// The bytes of such a file. Error: the id that exceeds 16 bits; names `path`.
 [[nodiscard]] Result<std::string> encodeLabelImage(const std::filesystem::path& path,
                                                    std::span<const std::uint32_t> labels, cv::Size size);
 

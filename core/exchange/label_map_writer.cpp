@@ -18,7 +18,7 @@ Result<void> writeLabelMap(const std::filesystem::path& path, std::span<const La
         {"confirmed", entry.confirmed}};
     if (entry.image_label) map[std::to_string(entry.region.value)]["image_label"] = *entry.image_label;
   }
-  // A name may hold bytes that are not UTF-8: they are replaced rather than refused.
+  // Bytes of a name that are not UTF-8 are replaced, not refused.
   return writeFileAtomically(path, map.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -13,7 +13,7 @@ struct LabeledPoint {
   bool operator==(const LabeledPoint&) const = default;
 };
 
-/// As many as a scan has: they are not copied as they become more.
+/// The points of a scan in a container that does not copy them as it grows.
 using LabeledCloud = std::deque<LabeledPoint>;
 
 }  // namespace scantrove

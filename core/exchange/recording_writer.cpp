@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The 4 x 4 matrix, row by row, with all digits that a double needs; fmt knows no languages.
+/// The 4 x 4 matrix, row by row, with all digits of a double; fmt ignores the locale.
 std::string matrixText(const Eigen::Isometry3d& pose) {
   std::string text;
   for (int row = 0; row < 4; ++row) {
@@ -50,7 +50,7 @@ Json toJson(const ColorCamera& camera) {
   return json;
 }
 
-/// The folder is not there yet, or nothing is in it.
+/// Checks that the folder is missing or empty.
 Result<void> checkIsFree(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored) || fs::is_empty(folder, ignored)) return {};
@@ -65,7 +65,7 @@ Result<RecordingWriter> RecordingWriter::create(const fs::path& folder, const So
   Result<FileLock> lock = FileLock::take(
       folder, {"Another program is writing to the folder " + folder.string() + '.', "Choose another one."});
   if (!lock) return fail(lock.error());
-  SCANTROVE_TRY(checkIsFree(folder));  // whoever had it until now may have recorded something
+  SCANTROVE_TRY(checkIsFree(folder));  // the previous holder of the lock may have recorded
   RecordingWriter writer(folder, std::move(*lock), info);
   if (!info.instances.empty()) {
     SCANTROVE_TRY(writer.write(folder / "instances.json", instancesToJson(info.instances).dump(1) + '\n'));
@@ -115,7 +115,7 @@ Result<void> RecordingWriter::writeParts(const RgbdFrame& frame) {
   if (!frame.instances.empty()) {
     SCANTROVE_TRY(write(pathOf(frame.index, "instance.png"), encodePng(frame.instances)));
   }
-  // Last: without its depth image, readers take it for no frame.
+  // Written last: readers ignore a frame without depth image.
   return write(pathOf(frame.index, "depth.png"), encodePng(frame.depth));
 }
 

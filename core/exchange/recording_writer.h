@@ -20,11 +20,12 @@ namespace scantrove {
 /// layout has no times: a reader takes NNNNNN / 30.
 class RecordingWriter {
  public:
-  /// Makes `folder`. Error: it cannot be written to, something is in it, or another recording is about to be.
+  /// Creates `folder`. Error: it cannot be written to, is not empty, or another recording claims it.
   [[nodiscard]] static Result<RecordingWriter> create(const std::filesystem::path& folder,
                                                       const SourceInfo& info);
 
-  /// Each index once. Error: names the file; what of this frame had been written is gone.
+  /// Adds a frame; each index only once. Error: names the file; partly written files of this frame are
+  /// removed.
   [[nodiscard]] Result<void> add(const RgbdFrame& frame);
 
  private:
@@ -32,7 +33,7 @@ class RecordingWriter {
       : folder_(std::move(folder)), lock_(std::move(lock)), info_(std::move(info)) {}
   [[nodiscard]] Result<void> describeCamera(const RgbdFrame& frame);
   [[nodiscard]] Result<void> writeParts(const RgbdFrame& frame);
-  /// Error: also that there is a file of that name.
+  /// Error: also if a file of that name exists.
   [[nodiscard]] Result<void> write(const std::filesystem::path& path, std::string_view bytes);
   [[nodiscard]] std::filesystem::path pathOf(int index, const char* suffix) const;
 
@@ -40,7 +41,7 @@ class RecordingWriter {
   FileLock lock_;
   SourceInfo info_;
   bool is_described_ = false;
-  std::vector<std::filesystem::path> of_frame_;  // written for the frame that is added
+  std::vector<std::filesystem::path> of_frame_;  // files written for the current frame
 };
 
 }  // namespace scantrove

@@ -8,11 +8,11 @@
 namespace scantrove {
 namespace {
 
-/// Tenths of micrometres at UTM coordinates, which have up to eight digits before the point.
+/// Tenths of micrometres at UTM coordinates with up to eight digits before the point.
 constexpr int kPositionDigits = 15;
 constexpr int kRotationDigits = 9;
 
-/// std::to_chars: printf would write decimal commas where the person's language does.
+/// std::to_chars, because printf uses the locale's decimal commas.
 void append(std::string& text, double value, std::chars_format format, int digits) {
   char number[400];
   const auto [end, failure] = std::to_chars(number, number + sizeof number, value, format, digits);

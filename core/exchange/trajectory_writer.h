@@ -7,9 +7,8 @@
 
 namespace scantrove {
 
-/// One line `timestamp tx ty tz qx qy qz qw` a pose (TUM RGB-D benchmark), camera to world, qw >= 0.
-/// Positions with 15 digits: seven decimals at UTM coordinates. Written beside and renamed. Error: names
-/// `path`.
+/// Writes a pose a line, `timestamp tx ty tz qx qy qz qw` (TUM RGB-D benchmark), camera to world, qw >= 0.
+/// Positions have 15 digits: seven decimals at UTM coordinates. Written atomically. Error: names `path`.
 Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses);
 
 }  // namespace scantrove
