@@ -9,8 +9,8 @@
 
 namespace scantrove {
 
-/// `size()` elements of T in device memory; freed with the last copy of the handle (copies share the memory).
-/// All calls on the context's thread; all may throw cl::Error (out of memory, device lost).
+/// `size()` elements of T in device memory, shared by all copies of the handle and freed with the last. All
+/// calls on the context's thread; all may throw cl::Error (out of memory, device lost).
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -19,7 +19,7 @@ class Buffer {
   Buffer() = default;
   Buffer(const cl::Context& context, std::size_t size)
       : buffer_(context, CL_MEM_READ_WRITE, (size == 0 ? 1 : size) * sizeof(T)), size_(size) {}
-  /// Elements of zeros that a CPU device has in the host's memory; those not written to take none.
+  /// Zeroed elements, which a CPU device keeps in host memory; untouched pages take no memory.
   [[nodiscard]] static Buffer zeroed(const cl::Context& context, std::size_t size) {
     Buffer buffer;
     buffer.buffer_ = zeroedOnHost(context, (size == 0 ? 1 : size) * sizeof(T));

@@ -29,13 +29,13 @@ bool isCompleteLibrary(std::string_view bytes) {
   if (bytes.size() < sizeof(header)) return false;
   std::memcpy(&header, bytes.data(), sizeof(header));
   if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return false;
-  if (header.e_ident[EI_CLASS] != ELFCLASS64) return true;  // no PoCL of this system wrote it
-  // Linkers write the table of sections last.
+  if (header.e_ident[EI_CLASS] != ELFCLASS64) return true;  // not written by this system's PoCL
+  // Linkers write the section table last.
   const std::uint64_t table = std::uint64_t{header.e_shentsize} * header.e_shnum;
   return header.e_shnum > 0 && header.e_shoff <= bytes.size() && table <= bytes.size() - header.e_shoff;
 }
 
-/// Bitcode is a row of blocks of 32-bit words: a head of one word (bits 0-1: 1, "enter"), the length, the
+/// Bitcode is a sequence of blocks of 32-bit words: one header word (bits 0-1: 1, "enter"), the length, the
 /// contents.
 bool isCompleteBitcode(std::string_view bytes) {
   constexpr std::uint32_t kMagic = 0xDEC04342, kEnter = 1;
@@ -58,7 +58,7 @@ bool isComplete(const fs::path& file, std::string_view bytes) {
   return file.extension() == ".so" ? isCompleteLibrary(bytes) : isCompleteBitcode(bytes);
 }
 
-/// The compiled kernels below `cache`; what cannot be listed sets `failure`.
+/// Compiled kernels below `cache`; unreadable folders set `failure`.
 std::vector<fs::path> kernelsBelow(const fs::path& cache, std::error_code& failure) {
   std::vector<fs::path> kernels;
   for (fs::recursive_directory_iterator entry(cache, failure), end; !failure && entry != end;
@@ -71,7 +71,7 @@ std::vector<fs::path> kernelsBelow(const fs::path& cache, std::error_code& failu
 
 std::uint32_t checksumOf(std::string_view bytes) { return libdeflate_crc32(0, bytes.data(), bytes.size()); }
 
-/// "CHECKSUM PATH" by path.
+/// Lines "CHECKSUM PATH" by path.
 std::map<std::string, std::uint32_t, std::less<>> readRecord(const fs::path& cache) {
   std::map<std::string, std::uint32_t, std::less<>> record;
   const auto text = readFile(cache / kRecord);
@@ -99,7 +99,7 @@ Result<std::vector<fs::path>> damagedKernels(const fs::path& cache) {
     const auto bytes = readFile(file);
     const auto recorded = record.find(file.lexically_relative(cache).string());
     const bool is_as_recorded = bytes && (recorded == record.end() || recorded->second == checksumOf(*bytes));
-    // Another program may have removed it meanwhile.
+    // Another program may have removed it.
     std::error_code ignored;
     if ((!is_as_recorded || !isComplete(file, *bytes)) && fs::exists(fs::symlink_status(file, ignored)))
       damaged.push_back(file);

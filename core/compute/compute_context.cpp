@@ -9,10 +9,11 @@
 namespace scantrove {
 namespace {
 
-// To compile even a small kernel takes PoCL 0.6 s of this thread's time, to load one from its cache 0.025 s.
+// PoCL needs 0.6 s of this thread's time to compile even a small kernel, and 0.025 s to load one from its
+// cache.
 constexpr double kCompiling_s = 0.12;
 
-/// What this thread has computed so far, in seconds: waiting for a busy machine is not part of it.
+/// CPU time of this thread in seconds, which excludes waiting on a busy machine.
 double threadTime() {
   std::timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

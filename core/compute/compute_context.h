@@ -13,24 +13,24 @@
 
 namespace scantrove {
 
-/// What a device has for all buffers together, and for the largest of them.
+/// A device's total buffer memory and its largest buffer.
 struct DeviceMemory {
   std::size_t total_bytes = 0;
   std::size_t largest_buffer_bytes = 0;
 };
 
-/// One OpenCL device with its in-order queue and its built programs. Everything on it runs on one thread
-/// (the scan worker's) but what that hands to another, with kernels and buffers of its own; profiling bears
-/// only one. Only construction may fail softly. After that a device fault in the frame path throws
-/// `cl::Error`, which ends at the edges of the scan (core/compute/guarded.h).
+/// One OpenCL device with its in-order queue and built programs. All work runs on one thread (the scan
+/// worker's), or on threads with their own kernels and buffers; profiling supports only one thread. Only
+/// construction returns errors. Later device faults in the frame path throw `cl::Error`, which the scan
+/// catches at its edges (core/compute/guarded.h).
 class ComputeContext {
  public:
   struct Options {
     std::string device;      ///< see chooseDevice
     bool profiling = false;  ///< measure every kernel; see kernelTimes
     int lanes = 0;           ///< see Lanes::choose
-    /// Called once, at the first kernel that the driver had to compile instead of taking it from its cache:
-    /// the rest will take long too.
+    /// Called once, when the driver compiles a kernel that is not in its cache: the next kernels will take
+    /// long too.
     std::function<void()> on_compiling = {};
   };
 
@@ -39,9 +39,8 @@ class ComputeContext {
   ComputeContext(const ComputeContext&) = delete;
   ComputeContext& operator=(const ComputeContext&) = delete;
 
-  /// The kernel `function` of `source`, built on first use with `build_options` and kept. They are told
-  /// lanes() as LANES.
-  /// Error: the build failed; the message holds device, options and the whole compiler log.
+  /// The kernel `function` of `source`, built on first use with `build_options` and LANES = lanes(), then
+  /// cached. Error: the build failed; the message holds device, options and the whole compiler log.
   [[nodiscard]] Result<Kernel> kernel(const KernelSource& source, const std::string& function,
                                       const std::string& build_options = {});
 
@@ -50,16 +49,16 @@ class ComputeContext {
   [[nodiscard]] const std::string& deviceName() const { return device_name_; }
   [[nodiscard]] const DeviceMemory& memory() const { return memory_; }
 
-  /// True where device memory is the host's: mapping a buffer costs no copy.
+  /// True if device memory is host memory, so that mapping a buffer needs no copy.
   [[nodiscard]] bool isCpu() const { return is_cpu_; }
 
-  /// Of all kernels.
+  /// Lanes of all kernels.
   [[nodiscard]] const Lanes& lanes() const { return lanes_; }
 
   void finish() { queue_.finish(); }
 
   [[nodiscard]] bool isProfiling() const { return profiling_; }
-  /// Milliseconds spent on the device by kernel name since creation; empty unless profiling.
+  /// Device milliseconds by kernel name since creation; empty unless profiling.
   [[nodiscard]] const std::map<std::string, double>& kernelTimes() const { return *kernel_times_; }
 
  private:

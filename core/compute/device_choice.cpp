@@ -10,7 +10,7 @@
 namespace scantrove {
 namespace {
 
-// PoCL makes its devices when it is first asked for them, and who asks meanwhile hears of none.
+// PoCL creates its devices at the first query; concurrent queries see none.
 std::vector<cl::Device> allDevices() {
   static std::mutex asking;
   const std::scoped_lock one_at_a_time(asking);
@@ -62,7 +62,7 @@ std::string lowered(std::string text) {
   return text;
 }
 
-/// Why there is none: three variables hide devices that are there.
+/// Explains why there is no device: three environment variables hide existing ones.
 Error noDevice() {
   if (const char* cache = std::getenv("POCL_CACHE_DIR"); cache != nullptr && ::access(cache, W_OK) != 0) {
     return {std::string("No OpenCL device found; compiled kernels cannot be kept in '") + cache + "'.",
@@ -79,8 +79,8 @@ Error noDevice() {
           "Install the package pocl-opencl-icd (runs on any CPU), or your GPU's OpenCL driver."};
 }
 
-/// PoCL's device "basic", meant for debugging, waits for itself for ever when commands wait for each other
-/// (3.1: the end of one starts the next, which locks the event that its caller has locked).
+/// PoCL's debugging device "basic" deadlocks when commands wait for each other (3.1: the end of one starts
+/// the next, which locks the event that its caller has locked).
 bool stopsForEver(const cl::Device& device) {
   const DeviceInfo info = describe(device, 0);
   return info.platform == "Portable Computing Language" && info.name.starts_with("basic");

@@ -7,9 +7,9 @@
 
 namespace scantrove {
 
-/// One OpenCL device as a person sees it.
+/// Description of an OpenCL device for the user.
 struct DeviceInfo {
-  int index = 0;  ///< position in the list, what `--device` takes
+  int index = 0;  ///< position in the list, as used by `--device`
   std::string name;
   std::string platform;
   std::string version;
@@ -21,10 +21,9 @@ struct DeviceInfo {
 /// All OpenCL devices, GPUs first, then CPUs; empty when there is no driver at all.
 [[nodiscard]] std::vector<DeviceInfo> listDevices();
 
-/// The device that `wanted` names: empty = the first of the list (a GPU, else PoCL); a number = that index;
-/// else the first whose name contains it (case-insensitive). Also SCANTROVE_DEVICE is asked when `wanted` is
-/// empty. Error: no device at all (names the package to install) or none that matches (names those there
-/// are).
+/// The device that `requested` selects, else SCANTROVE_DEVICE: a number = that index; else the first whose
+/// name contains it (case-insensitive). Both empty: the first of the list (a GPU, else PoCL). Error: no
+/// device at all (names the package to install) or none that matches (lists the available ones).
 [[nodiscard]] Result<cl::Device> chooseDevice(const std::string& requested);
 
 }  // namespace scantrove

@@ -15,7 +15,7 @@ bool isOutOfMemory(const cl::Error& error) {
     case CL_MEM_OBJECT_ALLOCATION_FAILURE:
     case CL_OUT_OF_RESOURCES:
     case CL_OUT_OF_HOST_MEMORY:
-    case CL_INVALID_BUFFER_SIZE:  // larger than the device gives to one buffer
+    case CL_INVALID_BUFFER_SIZE:  // exceeds the device's largest buffer
       return true;
     default:
       return false;

@@ -9,15 +9,15 @@
 
 namespace scantrove {
 
-/// Whether a device has no memory left for what it was asked for.
+/// Whether a device ran out of memory.
 [[nodiscard]] bool isOutOfMemory(const cl::Error& error);
 
-/// Words for the exception that is being handled: the device's, memory's or a library's. `activity` says what
-/// was being done: "writing the labelled cloud". Call inside a catch block only.
+/// Message for the current exception: the device's, memory's or a library's. `activity` is the interrupted
+/// work, such as "writing the labelled cloud". Call inside a catch block only.
 [[nodiscard]] Error describeCurrentException(const std::string& activity);
 
-/// Runs `work`, which returns a Result. What it throws (the device failed, memory ran out) becomes an error
-/// that names `activity`: the edge where exceptions of the libraries end.
+/// Runs `work`, which returns a Result. Exceptions of libraries (device failure, out of memory) become errors
+/// that name `activity`.
 template <class Work>
 [[nodiscard]] auto guarded(const std::string& activity, Work&& work) -> std::invoke_result_t<Work> {
   try {

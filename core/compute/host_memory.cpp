@@ -30,7 +30,7 @@ cl::Buffer zeroedOnHost(const cl::Context& context, std::size_t bytes) {
   auto mapping = std::make_unique<Mapping>(bytes);
   cl::Buffer buffer(context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, mapping->start);
   buffer.setDestructorCallback(&unmap, mapping.get());
-  static_cast<void>(mapping.release());  // the buffer's
+  static_cast<void>(mapping.release());  // the buffer owns it now
   return buffer;
 }
 

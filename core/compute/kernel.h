@@ -9,7 +9,7 @@
 
 namespace scantrove {
 
-/// A built kernel bound to its context's queue. Launch from the context's thread.
+/// A built kernel bound to its context's queue. Launch on the context's thread.
 class Kernel {
  public:
   using Times = std::map<std::string, double>;
@@ -22,8 +22,8 @@ class Kernel {
         times_(std::move(times)) {}
 
   /// Enqueues the kernel over `global` work-items in groups of `local` (cl::NullRange: the driver's choice).
-  /// `global` is rounded up to a multiple of `local`: kernels check their bounds. Arguments: Buffer<T>, or
-  /// plain values of the type the kernel declares. Throws cl::Error on a device fault.
+  /// `global` is rounded up to a multiple of `local`, so kernels check their bounds. Arguments: Buffer<T>, or
+  /// values of the type that the kernel declares. Throws cl::Error on a device fault.
   template <class... Arguments>
   void launch(const cl::NDRange& global, const cl::NDRange& local, const Arguments&... arguments) {
     cl_uint index = 0;

@@ -25,8 +25,8 @@ std::string valueOf(const char* variable) {
   return value != nullptr ? value : "";
 }
 
-/// As freedesktop.org's base directory specification says: relative paths do not count. Empty where there is
-/// none.
+/// The cache folder of freedesktop.org's base directory specification, which ignores relative paths. Empty if
+/// there is none.
 fs::path ownFolder() {
   const fs::path cache = valueOf("XDG_CACHE_HOME");
   if (cache.is_absolute()) return cache / "scantrove/kernels";
@@ -34,7 +34,7 @@ fs::path ownFolder() {
   return home.is_absolute() ? home / ".cache/scantrove/kernels" : fs::path();
 }
 
-/// Makes `folder` and proves by a file that it takes data. The reason, where it does not.
+/// Creates `folder` and tests it by writing a file. Returns the reason on failure.
 std::error_code prepare(const fs::path& folder) {
   if (folder.empty()) return std::make_error_code(std::errc::no_such_file_or_directory);
   std::error_code failure;
@@ -54,7 +54,7 @@ std::error_code prepare(const fs::path& folder) {
   return failure;
 }
 
-/// Error: a file that is damaged could not be removed.
+/// Error: a damaged file could not be removed.
 Result<void> removeAll(const std::vector<fs::path>& files) {
   std::error_code failure;
   for (const fs::path& file : files) {

@@ -6,11 +6,11 @@
 
 namespace scantrove {
 
-/// Where PoCL, which computes OpenCL's kernels on processors, keeps them compiled while this object lives:
-/// $POCL_CACHE_DIR, else scantrove/kernels in the person's cache folder. Without a folder that it can write
-/// to PoCL has no device, and a damaged file in it ends the program. So damaged files of our own folder are
-/// removed; where that is not enough, a private folder takes its place, which is removed at the end. One at a
-/// time, on the main thread, before other threads are there and before OpenCL is used.
+/// Selects PoCL's folder for compiled kernels during this object's lifetime: $POCL_CACHE_DIR, else
+/// scantrove/kernels in the user's cache folder. Without a writable folder PoCL has no device, and a damaged
+/// file in it ends the program. Removes damaged files from the program's own folder. If problems remain, uses
+/// a private folder and removes it at the end. One instance at a time, on the main thread, before other
+/// threads and OpenCL.
 class KernelCache {
  public:
   KernelCache();
@@ -19,11 +19,11 @@ class KernelCache {
   KernelCache& operator=(const KernelCache&) = delete;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  /// What a person should know: why kernels are compiled anew.
+  /// Message for the user: why kernels are compiled again.
   [[nodiscard]] const std::optional<Error>& remark() const { return remark_; }
 
  private:
-  /// Removes what is damaged, where the folder is our own. Error: something damaged stays.
+  /// Removes damaged files if the folder is the program's own. Error: damaged files remain.
   [[nodiscard]] Result<void> mend(bool is_ours);
   void usePrivateFolder(const Error& reason);
 

@@ -3,10 +3,10 @@
 
 namespace scantrove {
 
-/// The text of an OpenCL file, or of all those of a module together, embedded at build time with its includes
-/// expanded and `#line` directives in place.
+/// The text of an OpenCL file, or of all files of a module, embedded at build time with includes expanded and
+/// `#line` directives.
 struct KernelSource {
-  /// From the repository's root: core/fusion/kernels/reduce_depth.cl, or core/fusion/kernels of all.
+  /// Relative to the repository root: core/fusion/kernels/reduce_depth.cl, or core/fusion/kernels for all.
   std::string_view path;
   std::string_view text;
 };

@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// The row-major 4x4 that kernels take as float16 (see common.clh).
+/// The row-major 4x4 matrix that kernels receive as float16 (see common.clh).
 [[nodiscard]] inline cl_float16 toKernel(const Eigen::Isometry3d& T) {
   cl_float16 result;
   for (int row = 0; row < 4; ++row) {

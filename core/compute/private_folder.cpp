@@ -27,7 +27,7 @@ std::vector<fs::path> temporaryFolders() {
   return folders;
 }
 
-/// Whether the folder is this user's and holds our marker, as a regular file.
+/// Whether the folder belongs to this user and contains the marker as a regular file.
 bool isOurs(const fs::path& folder) {
   struct stat status {
   }, marker{};
@@ -35,7 +35,7 @@ bool isOurs(const fs::path& folder) {
          ::lstat((folder / kMarker).c_str(), &marker) == 0 && S_ISREG(marker.st_mode);
 }
 
-/// The marker is locked as long as its program runs; the descriptor stays open.
+/// The marker stays locked while its program runs; the descriptor stays open.
 bool lockMarker(const fs::path& folder) {
   const int file = ::open((folder / kMarker).c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600);
   if (file < 0) return false;
@@ -44,7 +44,7 @@ bool lockMarker(const fs::path& folder) {
   return false;
 }
 
-/// What programs left that were killed.
+/// Removes folders of killed programs.
 void removeAbandoned(const fs::path& in) {
   std::error_code failure;
   std::vector<fs::path> abandoned;

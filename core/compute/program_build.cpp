@@ -3,8 +3,8 @@
 namespace scantrove {
 namespace {
 
-// Quotients and roots are those of the processor, where the device can: a GPU rounds them its own way
-// otherwise, and what is equal to what (two warps of a thumbnail, say) would depend on the device.
+// Requires correctly rounded quotients and roots where the device supports them. A GPU's own rounding would
+// make equality (two warps of a thumbnail, say) depend on the device.
 std::string roundingOf(const cl::Device& device) {
   const bool can = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
   const bool is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
@@ -15,7 +15,7 @@ std::string roundingOf(const cl::Device& device) {
 
 Result<cl::Program> buildProgram(const cl::Context& context, const cl::Device& device,
                                  const KernelSource& source, const std::string& build_options) {
-  // -w: PoCL's compiler writes the number of its warnings to stderr by itself.
+  // -w: PoCL's compiler prints its number of warnings to stderr.
   const std::string options = "-cl-std=CL1.2 -w " + roundingOf(device) + build_options;
   cl::Program program(context, std::string(source.text));
   try {

@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// Compiles `source` for `device` as OpenCL C 1.2, without warnings. Error: device, options and the whole
-/// compiler log.
+/// Compiles `source` for `device` as OpenCL C 1.2, with warnings disabled. Error: device, options and the
+/// whole compiler log.
 [[nodiscard]] Result<cl::Program> buildProgram(const cl::Context& context, const cl::Device& device,
                                                const KernelSource& source, const std::string& build_options);
 

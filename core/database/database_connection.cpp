@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// SQLite's primary result codes (sqlite.org/rescode.html); QtSql hands on the extended ones.
+// SQLite's primary result codes (sqlite.org/rescode.html); QtSql returns the extended ones.
 enum SqliteCode {
   kError = 1,
   kBusy = 5,
@@ -81,21 +81,21 @@ Result<void> checkExisting(const std::string& file) {
     return fail("You may not read and write the database " + file + ".",
                 "Change its permissions, or use a copy.");
   }
-  // SQLite takes a file of one byte for an empty one, and would write over it.
+  // SQLite treats a file of one byte as empty, and would overwrite it.
   const std::uintmax_t size = fs::file_size(file, ignored);
   if (size > 0 && size < kSmallestDatabase) return fail(notADatabase(file));
   return {};
 }
 
-/// Looks at the path alone: to open the file, and be it to read its header, is SQLite's business (the class
-/// comment of ObjectDatabase says why).
+/// Checks the path only. Even reading the header is left to SQLite; the class comment of ObjectDatabase says
+/// why.
 Result<void> checkPath(const std::string& file) {
   if (file.empty()) return fail("No database was named.", "Give the name of a file.");
   if (file.starts_with("postgresql://") || file.starts_with("postgres://")) {
     return fail("This version keeps catalogues in SQLite files only; " + file + " names a PostgreSQL server.",
                 "Give the name of a file, e.g. --database catalogue.sqlite.");
   }
-  // SQLite keeps it in memory: it would be gone at the end.
+  // SQLite would keep it in memory and lose it at the end.
   if (file == ":memory:") {
     return fail(
         "':memory:' is no file: what it holds would be lost at the end.",
@@ -118,7 +118,7 @@ Result<void> checkPath(const std::string& file) {
   return fs::exists(file, ignored) ? checkExisting(file) : Result<void>();
 }
 
-/// For a file that is only read.
+/// Checks a file that is only read.
 Result<void> checkReadable(const std::string& file) {
   if (file.empty()) return fail("No database was named.", "Give the name of a file.");
   std::error_code failure;
@@ -156,7 +156,7 @@ Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::
 Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::openToRead(const std::string& file) {
   SCANTROVE_TRY(checkReadable(file));
   const std::optional<Stamp> stamp = stampOf(file);
-  // Bytes that have a meaning in a URI are written as numbers.
+  // Escapes bytes that have a meaning in a URI.
   const QByteArray path = QByteArray::fromStdString(fs::absolute(file).string()).toPercentEncoding("/");
   const QString uri = "file:" + QString::fromLatin1(path) + "?mode=ro" + (stamp ? "&immutable=1" : "");
   auto connection = connect(file, uri, ";QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI");
@@ -166,7 +166,7 @@ Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::openToRead(const
 
 std::optional<DatabaseConnection::Stamp> DatabaseConnection::stampOf(const std::string& file) {
   struct stat status {};
-  // Without its log a file in WAL mode is in use by nobody.
+  // Nobody uses a WAL-mode file without its log.
   for (const char* log : {"-wal", "-journal"}) {
     if (::stat((file + log).c_str(), &status) == 0 && status.st_size > 0) return std::nullopt;
   }
@@ -197,7 +197,7 @@ Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::connect(const st
 DatabaseConnection::~DatabaseConnection() { QSqlDatabase::removeDatabase(name_); }
 
 Result<void> DatabaseConnection::useWriteAheadLog() {
-  // SQLite does not wait its busy timeout for the change to WAL, so wait here.
+  // SQLite's busy timeout does not apply to the change to WAL, so wait here.
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusyTimeout_ms);
   for (;;) {
     const Result<QSqlQuery> wal = execute("PRAGMA journal_mode = WAL");

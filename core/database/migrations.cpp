@@ -12,7 +12,7 @@
 namespace scantrove::schema {
 namespace {
 
-/// Of a name that is printed.
+/// Maximum length of a printed name.
 constexpr int kLongestName = 60;
 
 int newestOf(std::span<const Migration> steps) { return steps.empty() ? 0 : steps.back().version; }
@@ -33,8 +33,8 @@ std::vector<QString> statementsOf(std::string_view sql) {
   return statements;
 }
 
-/// The schema's version, 0 for an empty file; changes nothing. One statement, so that all numbers are of one
-/// moment while another process creates the catalogue.
+/// The schema's version, 0 for an empty file; changes nothing. One statement reads all numbers, so that they
+/// are consistent while another process creates the catalogue.
 Result<int> ownVersion(DatabaseConnection& connection, const FileKind& kind) {
   Result<QSqlQuery> query = connection.execute(
       "SELECT (SELECT user_version FROM pragma_user_version),"
@@ -69,8 +69,8 @@ Result<void> apply(DatabaseConnection& connection, const Migration& step) {
   return {};
 }
 
-/// Refuses what no step makes: a view in a table's place may never end, and a trigger changes what is not
-/// asked for.
+/// Refuses schema objects that no step creates: a view in place of a table may never end, and a trigger
+/// changes unrelated data.
 Result<void> checkTables(DatabaseConnection& connection, std::span<const Migration> steps) {
   Result<QSqlQuery> strangers = connection.execute(
       "SELECT type, name FROM sqlite_master WHERE type IN ('view', 'trigger')"
@@ -85,7 +85,7 @@ Result<void> checkTables(DatabaseConnection& connection, std::span<const Migrati
         return statement.startsWith("CREATE TABLE " + name + " ", Qt::CaseInsensitive);
       });
     });
-    if (type != "trigger" && !is_expected) continue;  // nothing reads it
+    if (type != "trigger" && !is_expected) continue;  // harmless: nothing reads it
     return fail("The file " + connection.file() + " holds a " + (type == "trigger" ? type : "view") + " \"" +
                     name.left(kLongestName).toStdString() +
                     (type == "trigger" ? "\", which Scantrove never writes." : "\" in place of a table."),
@@ -94,7 +94,7 @@ Result<void> checkTables(DatabaseConnection& connection, std::span<const Migrati
   return {};
 }
 
-/// ownVersion(), where it is one that this program knows.
+/// ownVersion(), if this program supports it.
 Result<int> knownVersion(DatabaseConnection& connection, const FileKind& kind,
                          std::span<const Migration> steps) {
   const int newest = newestOf(steps);
@@ -130,7 +130,7 @@ Result<void> migrate(DatabaseConnection& connection, const FileKind& kind, std::
   SCANTROVE_TRY(connection.useWriteAheadLog());
   if (*version == newest) return {};
   return inTransaction(connection, [&]() -> Result<void> {
-    const Result<int> current = ownVersion(connection, kind);  // another process may have been faster
+    const Result<int> current = ownVersion(connection, kind);  // another process may have migrated meanwhile
     if (!current) return fail(current.error());
     for (const Migration& step : steps) {
       if (step.version > *current) SCANTROVE_TRY(apply(connection, step));

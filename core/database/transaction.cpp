@@ -22,15 +22,14 @@ Result<Transaction> Transaction::begin(DatabaseConnection& connection) {
 
 Transaction::~Transaction() {
   if (connection_ == nullptr) return;
-  // After some failures (a full disk) SQLite has rolled back already and says here that it cannot; nothing is
-  // wrong then (sqlite.org/lang_transaction.html).
+  // After some failures (a full disk) SQLite has already rolled back and reports an error here, which is
+  // harmless (sqlite.org/lang_transaction.html).
   if (depth_ == 0) {
     connection_->has_lost_transaction_ = false;
     static_cast<void>(connection_->execute("ROLLBACK"));
   } else if (!connection_->execute("ROLLBACK TO " + savepoint(depth_)) ||
              !connection_->execute("RELEASE " + savepoint(depth_))) {
-    // The outer transaction is gone as well: what it still wants to do would be committed statement by
-    // statement.
+    // The outer transaction is gone as well; its further statements would be committed one by one.
     connection_->has_lost_transaction_ = true;
   }
   --connection_->transactions_;

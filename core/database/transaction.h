@@ -8,10 +8,9 @@ namespace scantrove {
 
 class DatabaseConnection;
 
-/// A write transaction: takes the write lock at once (a later upgrade could fail without waiting), rolls back
-/// when it is left without commit. Inside another one of the same connection it is a part of that (a
-/// savepoint): left without commit it undoes its own part alone, and nothing of it is on disk before the
-/// outer one commits.
+/// A write transaction. Takes the write lock at once, because a later upgrade could fail without waiting;
+/// rolls back unless committed. Nested in another one of the same connection it is a savepoint: it rolls back
+/// only its own part, and reaches the disk only with the outer commit.
 class Transaction {
  public:
   [[nodiscard]] static Result<Transaction> begin(DatabaseConnection& connection);
@@ -25,10 +24,10 @@ class Transaction {
  private:
   Transaction(DatabaseConnection& connection, int depth) : connection_(&connection), depth_(depth) {}
   DatabaseConnection* connection_;
-  int depth_;  // 0: the outermost
+  int depth_;  // 0: outermost
 };
 
-/// Runs `work`, which returns a Result, in one transaction: committed when it succeeds, undone when it fails.
+/// Runs `work`, which returns a Result, in one transaction: commits on success, rolls back on failure.
 template <class Work>
 [[nodiscard]] auto inTransaction(DatabaseConnection& connection, Work&& work) -> std::invoke_result_t<Work> {
   Result<Transaction> transaction = Transaction::begin(connection);
