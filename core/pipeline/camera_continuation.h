@@ -10,7 +10,7 @@
 
 namespace scantrove {
 
-/// How the camera of a scan that goes on in an earlier map finds its way, and what it leaves for the next
+/// The tracking state of a scan that continues an earlier map, and the state that it leaves for the next
 /// one. One thread, the context's; may throw cl::Error.
 class CameraContinuation {
  public:
@@ -18,17 +18,17 @@ class CameraContinuation {
   CameraContinuation(ComputeContext& compute, FrameTracking& tracking, MapFusion& fusion)
       : compute_(compute), tracking_(tracking), fusion_(fusion) {}
 
-  /// What the camera of a scan that goes on in this map is followed by. None before the first usable frame.
+  /// The camera state for a scan that continues this map. None before the first usable frame.
   [[nodiscard]] std::optional<CameraMemory> memory();
-  /// The map's last frame was that one's. False: the memory does not tell enough.
+  /// Restores the state after the map's last frame. False: the memory is incomplete.
   [[nodiscard]] bool restoreState(CameraMemory memory);
 
-  /// Of a scan that broke off, frame by frame: the camera of this map was there; those that are not lost, in
-  /// order. Whether its frame was a tracking key frame: then addKeyFrame() wants it.
+  /// For an interrupted scan, frame by frame in order, without lost frames: adds the camera's pose. Returns
+  /// whether the frame was a tracking key frame: addKeyFrame() must follow.
   [[nodiscard]] bool recallPose(const Eigen::Isometry3d& T_world_camera);
-  /// An earlier frame of this map, taken from there: by it a camera finds its way back.
+  /// Adds an earlier frame of this map with its pose, for relocalisation.
   void addKeyFrame(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
-  /// The camera is somewhere on the map, perhaps there.
+  /// The camera is somewhere in the map, perhaps near this pose.
   void relocalizeNear(const Eigen::Isometry3d& T_world_camera);
 
  private:

@@ -13,22 +13,21 @@
 
 namespace scantrove {
 
-/// What a scan knows of its camera between two frames, beside the map: one that goes on with it finds the
-/// poses, to the last bit, that a scan finds which never stopped. (Frames whose poses are uncertain are not
-/// looked at again.)
+/// The camera state between two frames, beside the map. A scan continued with it finds exactly the poses of
+/// an uninterrupted scan. (Frames with uncertain poses are not reconsidered.)
 struct CameraMemory {
   std::optional<PoseTracker::Memory> tracker;  ///< none: poses are given
   FreeSpace::Memory free_space;
   AppearedObjects::Memory appeared_objects;
   ColorIntegrator::Turns color_turns;
   RenderedView view;  ///< of the last usable frame, without labels
-  /// Of what the camera is followed by; empty: poses are given.
+  /// The surface that the camera is tracked against; empty: poses are given.
   std::vector<Eigen::Vector4f> followed_normals_world;
 };
 
-/// As it goes to disk.
+/// Serializes for disk.
 [[nodiscard]] std::vector<std::uint32_t> toWords(const CameraMemory& memory);
-/// None: `words` are not of this version's toWords().
+/// None: `words` are not from this version's toWords().
 [[nodiscard]] std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> words);
 
 }  // namespace scantrove

@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// The label cloud as operations see it. One thread, the context's; may throw cl::Error.
+/// The label cloud for operations. One thread, the context's; may throw cl::Error.
 class EditableCloud final : public EditableMap {
  public:
   EditableCloud(LabelCloud& cloud, BrickMap& bricks, float truncation_vox)
@@ -21,7 +21,7 @@ class EditableCloud final : public EditableMap {
   [[nodiscard]] std::vector<Eigen::Vector3i> takeChanged() { return std::exchange(changed_, {}); }
 
  private:
-  /// Appends what the bricks hold of the fragments; tells for each brick whether that was anything.
+  /// Appends the voxels of the fragments in the bricks; tells for each brick whether there were any.
   std::vector<bool> collect(std::span<const Eigen::Vector3i> bricks, std::span<const FragmentId> fragments,
                             std::vector<SurfaceVoxel>& voxels);
 

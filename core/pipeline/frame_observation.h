@@ -10,15 +10,15 @@
 
 namespace scantrove {
 
-/// A frame's own images beside the map as rendered from there; all but `depth` have the pixels of that view.
+/// A frame's images beside the rendered view of the map; all but `depth` have the pixels of that view.
 struct FrameObservation {
   SurfaceInColor in_color;
-  std::vector<Eigen::Vector3f> color_lab;  ///< CIE L*a*b* of the surface, a little blurred; empty: no color
-  DepthView depth;                         ///< the readings, at their own resolution
-  cv::Mat contradicted;                    ///< CV_8UC1, not 0: see contradictedSurface
+  std::vector<Eigen::Vector3f> color_lab;  ///< CIE L*a*b* of the surface, slightly blurred; empty: no colour
+  DepthView depth;                         ///< readings at their own resolution
+  cv::Mat contradicted;                    ///< CV_8UC1, nonzero: see contradictedSurface
 };
 
-/// `view`: what the map shows where the frame was taken; `in_color`: of its pixels. `depth_noise_m`:
+/// `view`: the map rendered from the frame's pose; `in_color`: of its pixels. `depth_noise_m`:
 /// FusionParams. Any thread.
 [[nodiscard]] FrameObservation observe(const RgbdFrame& frame, const RenderedView& view,
                                        SurfaceInColor in_color, float depth_noise_m);

@@ -13,28 +13,29 @@
 
 namespace scantrove {
 
-/// A frame that could not be used when it came, and went into the map later.
+/// A frame that was unusable at first and integrated into the map later.
 struct LateFrame {
-  int index = 0;  ///< of the source
+  int index = 0;  ///< in the source
   double timestamp_s = 0;
   PoseEstimate pose;
 };
 
-/// What one frame gave. Maps are empty when the pose was not usable.
+/// The result of one frame. Maps are empty when the pose was not usable.
 struct FrameResult {
   PoseEstimate pose;
   SegmentMap segments;  ///< S_t
   RenderedView view;    ///< V_t, N_t and S_cloud,t
   FrameObservation observed;
-  RegionEvents region_events;                 ///< what this frame changed
-  std::vector<Candidate> candidates;          ///< they may overlap
-  std::vector<RegionId> regions_in_view;      ///< of which the frame shows more than a rest
-  std::vector<LateFrame> late;                ///< earlier ones that were understood with this one
-  bool is_tracking_key_frame = false;         ///< the camera finds its way by this frame from now on
-  std::optional<RevisitedKeyFrame> returned;  ///< that the frame before, or one before it, came back to
+  RegionEvents region_events;             ///< changes by this frame
+  std::vector<Candidate> candidates;      ///< they may overlap
+  std::vector<RegionId> regions_in_view;  ///< those with more than a remnant in view
+  std::vector<LateFrame> late;            ///< earlier frames that were integrated with this one
+  bool is_tracking_key_frame = false;     ///< relocalisation uses this frame from now on
+  std::optional<RevisitedKeyFrame>
+      returned;  ///< the key frame that the previous frame, or one before, came back to
 
-  /// The regions of the view without what the frame's depth contradicts: that is not there, or stands behind
-  /// somebody.
+  /// The regions of the view without surface that the frame's depth contradicts: it is gone, or is hidden
+  /// by a person.
   [[nodiscard]] std::vector<RegionId> shownRegions() const {
     std::vector<RegionId> shown = view.regions;
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -42,7 +43,7 @@ struct FrameResult {
     }
     return shown;
   }
-  /// Refers to this and to `shown`; without odds and without what newly appeared.
+  /// Refers to this and to `shown`; without odds and newly appeared objects.
   [[nodiscard]] DiscoveryInput inputFor(std::span<const RegionId> shown) const {
     return {view, shown, {}, {}, observed.color_lab};
   }

@@ -17,9 +17,8 @@
 
 namespace scantrove {
 
-/// Where each frame was taken: prepares its depth, and tracks the camera or
-/// takes the recording's poses. One thread, the context's; may throw cl::Error.
-/// (What is known of the next frame is found out on another.)
+/// The pose of each frame: prepares its depth, and tracks the camera or takes the recording's poses. One
+/// thread, the context's; may throw cl::Error. (Another thread prepares the next frame.)
 class FrameTracking {
  public:
   struct Setup {
@@ -27,7 +26,7 @@ class FrameTracking {
     FusionParams params;
     bool poses_given = false;  ///< take RgbdFrame::T_world_camera
   };
-  /// All outlive this. `map`: what the camera is registered to.
+  /// All outlive this. `map`: the camera is registered to it.
   [[nodiscard]] static Result<std::unique_ptr<FrameTracking>> create(ComputeContext& compute, DenseMap& map,
                                                                      StageTimer& timer, const Setup& setup);
 
@@ -37,35 +36,33 @@ class FrameTracking {
   };
   [[nodiscard]] Located locate(const RgbdFrame& frame);
 
-  /// The frame after this one, if it is there already; asked for once.
+  /// The next frame if it is available; called once.
   using NextFrame = std::function<std::optional<RgbdFrame>()>;
-  /// Begins to locate it on another thread. Results are the same.
+  /// Starts locating it on another thread. Results are the same.
   void beginNext(const NextFrame& next);
 
-  /// After the frame went into the map, which shows `surface` from its pose.
+  /// Call after the frame was integrated; `surface` is the map rendered from its pose.
   struct Learned {
-    bool is_key_frame = false;                  ///< the camera finds its way by this frame from now on
-    std::optional<RevisitedKeyFrame> returned;  ///< a place that the frame before, or one before it, came
-                                                ///< back to
+    bool is_key_frame = false;                  ///< relocalisation uses this frame from now on
+    std::optional<RevisitedKeyFrame> returned;  ///< the place revisited by a recent frame
   };
   [[nodiscard]] Learned addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
                                     const SurfaceMaps& surface);
-  /// What of the surface the next frame is registered to. Poses are tracked.
+  /// The part of the surface for registering the next frame. Poses are tracked.
   void follow(const SurfaceMaps& settled) { followed_ = settled; }
 
-  /// Calls `integrate` with earlier frames whose poses were uncertain and are
-  /// certain now.
+  /// Calls `integrate` with earlier frames whose uncertain poses have become certain.
   using Integrate = std::function<void(const DepthPyramid&, const Eigen::Isometry3d& T_world_camera)>;
   [[nodiscard]] std::vector<LateFrame> reconsider(const Integrate& integrate);
 
-  /// Of the depth that frames are worked on with.
+  /// Of the working depth.
   [[nodiscard]] const Intrinsics& K() const { return K_; }
   void setK(const Intrinsics& K) { K_ = K; }
   [[nodiscard]] const DepthPyramid& prepare(const RgbdFrame& frame) { return preprocessor_->process(frame); }
   /// Null: poses are given.
   [[nodiscard]] PoseTracker* tracker() { return tracker_.get(); }
   [[nodiscard]] const SurfaceMaps& followed() const { return followed_; }
-  /// No other thread is at work.
+  /// Waits until no other thread works.
   void awaitNext();
 
  private:
@@ -77,7 +74,7 @@ class FrameTracking {
   std::unique_ptr<DepthPreprocessor> preprocessor_;
   std::unique_ptr<PoseTracker> tracker_;
   SurfaceMaps followed_;
-  std::future<PoseTracker::TrackingAttempt> next_;  // uses what is above: goes first
+  std::future<PoseTracker::TrackingAttempt> next_;  // uses the members above, so it is destroyed first
 };
 
 }  // namespace scantrove

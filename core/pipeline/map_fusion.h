@@ -17,8 +17,8 @@
 
 namespace scantrove {
 
-/// The dense map with what keeps moving things out of it, and its surface as the last usable frame sees it.
-/// One thread, the context's; may throw cl::Error.
+/// The dense map without moving things, and its surface from the last usable frame. One thread, the
+/// context's; may throw cl::Error.
 class MapFusion {
  public:
   /// All outlive this.
@@ -29,27 +29,28 @@ class MapFusion {
   [[nodiscard]] BrickMap& bricks() { return map_->bricks(); }
   [[nodiscard]] const BrickMap& bricks() const { return map_->bricks(); }
 
-  /// The frame goes into the map, but for what moves.
+  /// Integrates the frame without moving things.
   void integrate(const DepthPyramid& depth, const Eigen::Isometry3d& T_world_camera);
-  /// Takes the surface from there, for a frame that was just integrated, without what moving things hide.
+  /// Renders the surface from the pose of the frame just integrated, without surface that moving things
+  /// hide.
   void raycast(const DepthPyramid& depth, const Eigen::Isometry3d& T_world_camera, const Intrinsics& K);
-  /// The surface as the map shows it from there, in place of a frame's.
+  /// Renders the map's surface from there, in place of a frame's.
   void raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K);
   /// V_t, N_t of the last usable frame.
   [[nodiscard]] const SurfaceMaps& surface() const { return surface_; }
-  /// Of it, what the camera should be followed by; valid until the next call.
+  /// The part of the surface for tracking the camera; valid until the next call.
   [[nodiscard]] const SurfaceMaps& settledSurface() { return motion_->settled(surface_, bricks()); }
-  /// `view`: of surface(). The next frame's moving things are told by it.
+  /// `view`: of surface(). It detects moving things in the next frame.
   void remember(const RenderedView& view) { known_ = KnownSurface(view); }
   /// `view`: of surface(); `hidden`: SurfaceInColor.
   void integrateColor(const RgbdFrame& frame, const RenderedView& view, const DepthPyramid& depth,
                       const cv::Mat& hidden);
-  /// MergeInput::appeared of the frame that was integrated last; valid until the next one.
+  /// MergeInput::appeared of the last integrated frame; valid until the next one.
   [[nodiscard]] std::span<const std::uint8_t> newlyAppeared();
   /// Ends the frame: DenseMap::settle.
   void settle() { map_->settle(); }
 
-  /// Its part of what a session keeps. There was a usable frame.
+  /// Its part of the session's memory. Requires a usable frame.
   void save(CameraMemory& memory);
   void restore(CameraMemory& memory);
 
@@ -62,7 +63,7 @@ class MapFusion {
   std::unique_ptr<DenseMap> map_;
   std::optional<ColorIntegrator> color_;
   SurfaceMaps surface_;
-  KnownSurface known_;  // surface_, on the host
+  KnownSurface known_;  // surface_ on the host
   cv::Mat appeared_;
 };
 

@@ -17,8 +17,8 @@
 
 namespace scantrove {
 
-/// The labels of a map: which fragments its voxels hold, and which regions
-/// these form. One thread, the context's; may throw cl::Error.
+/// The labels of a map: the fragments of its voxels and their regions. One thread, the context's; may throw
+/// cl::Error.
 class MapLabels {
  public:
   struct Setup {
@@ -29,7 +29,7 @@ class MapLabels {
   [[nodiscard]] static Result<std::unique_ptr<MapLabels>> create(ComputeContext& compute, BrickMap& bricks,
                                                                  const Setup& setup);
 
-  /// What the voxels along a surface of the map hold, by pixel.
+  /// The labels of the voxels along a surface of the map, by pixel.
   [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface) {
     return cloud_->project(surface, bricks_);
   }
@@ -38,19 +38,17 @@ class MapLabels {
                                             std::span<const Eigen::Vector3f> color_lab,
                                             std::span<const std::uint8_t> newly_appeared,
                                             const LabelingParams& params);
-  /// The voxels along `surface` take the fragments that it was merged with; the
-  /// bricks that this touched, valid until the next call.
+  /// Writes the merged fragments to the voxels along `surface`. Returns the affected bricks, valid until
+  /// the next call.
   std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, const RegionMerger::Outcome& merged,
                                           const LabelingParams& params);
-  /// Learns from where the frame's regions are seen.
+  /// Updates the evidence about where the frame's regions are seen.
   void recordDirections(const RenderedView& view) { directions_.record(view, table_); }
 
-  /// Log-odds that two regions of `table` are one thing; lowest where nothing
-  /// speaks for it.
+  /// Log-odds that two regions of `table` are one thing; lowest without evidence.
   [[nodiscard]] float joiningOdds(RegionId a, RegionId b, const RegionTable& table,
                                   const LabelingParams& params) const;
-  /// Frames neither join nor part a known region; all `regions` of one thing
-  /// become one region.
+  /// Frames neither join nor split a known region; all `regions` of one thing become one region.
   enum class Known { no, yes, one_thing };
   void setKnown(const RegionSet& regions, Known known);
   void setRule(LabelingParams::Rule rule);
@@ -62,14 +60,14 @@ class MapLabels {
   [[nodiscard]] const RegionEditor& editor() const { return *editor_; }
   [[nodiscard]] RegionEditor& editor() { return *editor_; }
   [[nodiscard]] LabelCloud& cloud() { return *cloud_; }
-  /// How many voxels hold each fragment, by fragment number.
+  /// Number of voxels of each fragment, by fragment number.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return cloud_->voxelsOfFragments(); }
   /// Bricks whose labels operations changed since the last call.
   [[nodiscard]] std::vector<Eigen::Vector3i> takeEditedBricks() { return editable_.takeChanged(); }
 
  private:
   MapLabels(BrickMap& bricks, std::unique_ptr<LabelCloud> cloud, const Setup& setup);
-  /// Fragments that no voxel holds any more go; their numbers are used again.
+  /// Deletes fragments without voxels; their numbers are used again.
   void forgetFragments();
 
   BrickMap& bricks_;

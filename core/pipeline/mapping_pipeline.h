@@ -22,8 +22,8 @@
 
 namespace scantrove {
 
-/// One frame through every stage of the thesis up to the candidates for objects. Knows no catalogue; cost per
-/// frame does not depend on how much was scanned. One thread, the compute context's.
+/// Takes a frame through every stage of the thesis up to the candidates for objects. Independent of the
+/// catalogue; the cost per frame does not grow with the scan. One thread, the compute context's.
 class MappingPipeline {
  public:
   struct Setup {
@@ -38,39 +38,38 @@ class MappingPipeline {
                                                                        const Setup& setup);
 
   using NextFrame = FrameTracking::NextFrame;
-  /// Error: the device failed or has no memory left; the scan cannot go on, but what there is can be read
-  /// out. A lost frame is a value, not an error. What is known of `next` by then is found out beside this
-  /// frame's labeling, on another thread; results are the same. Its stages are in timer(); the caller ends
-  /// the frame there.
+  /// Error: the device failed or has no memory left; the scan cannot continue, but the map can still be
+  /// read. A lost frame is a value, not an error. If `next` is available, another thread prepares it during
+  /// this frame's labelling; results are the same. Stages are in timer(); the caller ends the frame there.
   [[nodiscard]] Result<FrameResult> processFrame(const RgbdFrame& frame, const NextFrame& next = {});
 
   /// Replaces all parameters but those of fusion, which are fixed for the life of the map.
   void setParams(const MappingParams& params);
   [[nodiscard]] const MappingParams& params() const { return params_; }
 
-  /// Does to the regions what a user says; it holds for the frames that follow. Error: see RegionEditor; or
-  /// the device failed.
+  /// Applies a user's operation to the regions, for all later frames. Error: see RegionEditor; or the
+  /// device failed.
   [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
-  /// Takes the newest operation back, or does it again. Error: there is none.
+  /// Undoes the newest operation, or redoes it. Error: there is none.
   [[nodiscard]] Result<RegionEditor::Outcome> undo();
   [[nodiscard]] Result<RegionEditor::Outcome> redo();
 
   // After a scan.
 
-  /// Segments an earlier frame at the full resolution of its depth and merges it (by the rule `graph`; else
-  /// nothing): that separates structures as narrow as a book spine. Error: the device failed.
+  /// Segments an earlier frame at full depth resolution and merges it (only by the rule `graph`), which
+  /// separates structures as narrow as a book spine. Error: the device failed.
   [[nodiscard]] Result<RegionEvents> segmentCloser(const RgbdFrame& frame,
                                                    const Eigen::Isometry3d& T_world_camera);
-  /// What the map and an earlier frame show from there, with the regions as they are now and the pixels of
-  /// the frame's depth image, at most twice the working ones along each side. May throw cl::Error.
+  /// The map and an earlier frame from its pose, with the current regions and the pixels of the frame's
+  /// depth image, at most twice the working resolution. May throw cl::Error.
   [[nodiscard]] FrameResult observe(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
-  /// Finds what may be an object in it, with `table` for the regions.
+  /// Finds candidates for objects in it, with the regions of `table`.
   void findCandidates(CandidateSource& finder, const RegionTable& table, FrameResult& observed) const;
-  /// Discovery learns what somebody else made of regions.
+  /// Tells discovery about changes of regions by others.
   void follow(const RegionEvents& events);
 
-  /// S_t of the last frame anew, by the present parameters; of a frame without a pose: empty. Of what the map
-  /// shows from somewhere. Neither changes map or labels. Error: the device failed.
+  /// Segments the last frame again with the current parameters (empty without a pose), or a view of the
+  /// map. Neither changes map or labels. Error: the device failed.
   [[nodiscard]] Result<SegmentMap> segmentAgain();
   [[nodiscard]] Result<SegmentMap> segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
                                                   const SegmentationParams& params);
@@ -83,7 +82,7 @@ class MappingPipeline {
   [[nodiscard]] CameraContinuation& camera() { return *camera_; }
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
   [[nodiscard]] StageTimer& timer() { return timer_; }
-  /// Of the views that frames are worked on with.
+  /// Of the working views.
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return tracking_->K(); }
   /// Bricks whose labels the last frame may have changed.
   [[nodiscard]] std::span<const Eigen::Vector3i> touchedBricks() const { return touched_; }
@@ -108,14 +107,14 @@ class MappingPipeline {
   std::unique_ptr<GraphSegmenter> segmenter_;
   std::unique_ptr<MapLabels> labels_;
   std::unique_ptr<CandidateFinder> finder_;
-  std::unique_ptr<FrameTracking> tracking_;  // uses fusion_ on another thread: goes before it
+  std::unique_ptr<FrameTracking> tracking_;  // uses fusion_ on another thread, so it is destroyed first
   std::optional<MapReadout> readout_;
   std::optional<CameraContinuation> camera_;
 
-  bool has_pose_ = false;  // the last frame: the surface of fusion_ is of it
+  bool has_pose_ = false;  // the surface of fusion_ belongs to the last frame
   std::span<const Eigen::Vector3i> touched_;
   int frames_ = 0;        // given to processFrame
-  SurfaceMaps observed_;  // what observe() saw last
+  SurfaceMaps observed_;  // the last view of observe()
 };
 
 }  // namespace scantrove

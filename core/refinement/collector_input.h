@@ -8,17 +8,17 @@
 
 namespace scantrove {
 
-/// Gives the collector what a frame shows before it collects: which regions are in view. Returns the
-/// candidates of the frame without those that users said are none, or hold a part that is a thing of its own,
-/// and with those that users wait for, whatever the rules say of them. `least_points`: DiscoveryParams.
+/// Tells the collector which regions a frame shows. Returns the frame's candidates, without those that
+/// users rejected or that hold a separate thing, and with the requested ones, whatever the rules say.
+/// `least_points`: DiscoveryParams.
 [[nodiscard]] std::vector<Candidate> candidatesFor(ObjectCollector& collector, const FrameResult& result,
                                                    const RegionNotes& notes, int least_points);
 
-/// The regions that users wait for and that no candidate holds yet, as `input` shows them.
+/// Requested regions in `input` that no candidate holds yet.
 void addRequested(const ObjectCollector& collector, const DiscoveryInput& input, int least_points,
                   std::vector<Candidate>& candidates);
 
-/// The collector learns what became of regions.
+/// Tells the collector about changes of regions.
 void follow(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by);
 
 }  // namespace scantrove

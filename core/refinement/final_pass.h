@@ -29,16 +29,16 @@ class FinalPass {
     std::function<void(const FrameObjects&)> collected;
   };
 
-  /// Of more key frames only so many are used, evenly spread. One takes as long as six frames of the scan.
+  /// Maximum number of key frames, evenly selected. One takes as long as six frames of the scan.
   static constexpr std::size_t kMaxKeyFrames = 180;
 
-  /// `pipeline` and `collector` outlive this. A key frame that cannot be read is left out.
+  /// `pipeline` and `collector` outlive this. Unreadable key frames are skipped.
   FinalPass(MappingPipeline& pipeline, ObjectCollector& collector, std::vector<KeyFrame> key_frames,
             Callbacks callbacks);
 
-  /// Refines from `begin` to the end, or until `may_continue` says false. Error: the device failed.
+  /// Refines from `begin` to the end, or until `may_continue` returns false. Error: the device failed.
   [[nodiscard]] Result<void> run(RefinementPosition begin);
-  /// Where run() stopped.
+  /// The position where run() stopped.
   [[nodiscard]] RefinementPosition position() const { return position_; }
   [[nodiscard]] int keyFrames() const { return static_cast<int>(key_frames_.size()); }
 
@@ -54,20 +54,20 @@ class FinalPass {
   [[nodiscard]] Result<bool> complete();
   [[nodiscard]] Result<bool> runPass();
 
-  /// The pass at each of the frames that it has not done yet.
+  /// Runs a pass for each of its remaining frames.
   template <class Task>
   [[nodiscard]] Result<bool> forEach(const std::vector<Task>& tasks,
                                      const std::function<Result<void>(const Task&)>& step);
   [[nodiscard]] Result<bool> forEachKeyFrame(const std::vector<const KeyFrame*>& keys, const FrameStep& step);
   [[nodiscard]] std::vector<const KeyFrame*> allKeyFrames() const;
-  /// What the frame shows, as candidates that `judge` rates.
+  /// The frame's candidates as rated by `judge`.
   [[nodiscard]] std::vector<Candidate> findCandidates(FrameResult& observed, RegionJudge& judge,
                                                       const RegionTable& table);
   [[nodiscard]] Result<void> collectFrom(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
-  /// A judge of the regions as they are now.
+  /// A judge of the current regions.
   [[nodiscard]] Result<std::unique_ptr<RegionJudge>> makeJudge(const RegionTable& table);
-  /// Of the progress.
+  /// For the progress.
   [[nodiscard]] int stepsOf(Pass pass) const;
   void reportProgress(std::size_t tasks) const;
 
@@ -76,7 +76,7 @@ class FinalPass {
   std::vector<KeyFrame> key_frames_;
   Callbacks callbacks_;
   RefinementPosition position_;
-  std::unique_ptr<RegionJudge> judge_;  // of the settled regions
+  std::unique_ptr<RegionJudge> judge_;  // for the settled regions
 };
 
 }  // namespace scantrove

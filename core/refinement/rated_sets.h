@@ -9,29 +9,29 @@
 
 namespace scantrove {
 
-/// Sets of regions as looks at them rated them, once nothing more comes of a scan, and which of the sets are
-/// the things that the scan has seen. One look may mislead: the best eight count together, and as one more
-/// that says nothing either way. Others may be poor ones (from afar, of a blurred image) of a clear thing.
-/// What is large is less likely than its looks say: there are many more sets of pieces of furniture than
-/// large things, and the best of many is kept.
+/// Sets of regions with their ratings from several observations at the end of a scan, and the selection of
+/// complete objects. One observation may mislead, so the best eight are averaged with a neutral one. Others
+/// may be poor (distant, blurred) for a clear object. Large sets are rated lower: there are many more sets
+/// of pieces of furniture than large things, and the best of many is selected.
 class RatedSets {
  public:
   struct Rated {
     RegionSet regions;
-    /// Sum of the best eight Candidate::objectness, by one more than these are; less for what is large.
+    /// Sum of the best eight Candidate::objectness, divided by their number plus one; reduced for large
+    /// sets.
     float objectness = 0;
-    int frame_index = 0;  ///< of the best look: that shows them entirely, if one does
+    int frame_index = 0;  ///< of the best observation; it shows the set entirely if any does
   };
 
-  /// What one frame shows.
+  /// Adds the candidates of one frame.
   void add(int frame_index, std::span<const Candidate> candidates);
-  /// The sets of at least that objectness, but those that share a region with a more likely one. Most likely
-  /// first.
+  /// The sets of at least that objectness, most likely first, without those that share a region with a more
+  /// likely one.
   [[nodiscard]] std::vector<Rated> disjoint(float least_objectness) const;
   using Rename = std::function<std::optional<RegionSet>(const RegionSet&)>;
-  /// Each set is called as `rename` says; none: it is forgotten. No two are called the same.
+  /// Replaces each set by the result of `rename`; none: the set is dropped. Results must differ.
   void rename(const Rename& rename);
-  /// It was seen, but as no part of anything of that objectness.
+  /// The region was observed, but in no set of that objectness.
   [[nodiscard]] bool isUnlikely(RegionId region, float least_objectness) const;
 
  private:
@@ -42,8 +42,8 @@ class RatedSets {
     [[nodiscard]] bool isBetterThan(const Look& other) const;
   };
   struct Observations {
-    std::vector<float> best;  ///< Candidate::objectness, falling; at most eight
-    float longest_m = 0;      ///< Candidate::size_m, its longest side
+    std::vector<float> best;  ///< Candidate::objectness, descending; at most eight
+    float longest_m = 0;      ///< the longest side in Candidate::size_m
     std::optional<Look> to_show;
     [[nodiscard]] float together() const;
   };

@@ -11,21 +11,20 @@
 
 namespace scantrove {
 
-/// What a session keeps of a refinement that was left for later.
+/// A session's memory of a postponed refinement.
 struct RefinementMemory {
   RefinementPosition position;
   std::vector<std::uint32_t> collector;  ///< of collectorMemory()
   std::vector<RegionId> known;           ///< RegionTable::isKnown
 };
 
-/// Of one that is done, or of which nothing is kept yet.
+/// For a finished refinement, or one without progress.
 [[nodiscard]] SessionMetadata refinementMetadata(bool is_done);
-/// `operations`: what persons did to the regions by then.
+/// `operations`: edits of regions so far.
 [[nodiscard]] SessionMetadata refinementMetadata(const RefinementMemory& memory,
                                                  std::span<const OperationLog::Entry> operations);
 
-/// None: nothing is kept. When persons have done something to the regions since, what was rated is rated
-/// again.
+/// None: nothing is stored. If regions were edited since, ratings start again.
 [[nodiscard]] std::optional<RefinementMemory> refinementMemoryFrom(
     const SessionMetadata& metadata, std::span<const OperationLog::Entry> operations);
 

@@ -2,11 +2,11 @@
 
 namespace scantrove {
 
-/// How far a refinement has come.
+/// The progress of a refinement.
 struct RefinementPosition {
   enum class Pass { segment, rate, judge, collect, complete, done };
   Pass pass = Pass::segment;
-  int frames = 0;  ///< of this pass that are done
+  int frames = 0;  ///< done in this pass
 
   bool operator==(const RefinementPosition&) const = default;
 };

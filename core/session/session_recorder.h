@@ -63,7 +63,7 @@ class SessionRecorder {
   [[nodiscard]] Result<void> finish(MappingPipeline& pipeline, const ObjectCollector& collector);
   /// Error: other programs removed, moved or replaced files of the session since it was opened.
   [[nodiscard]] Result<void> findDisturbance();
-  /// The frames with stored images, in order, and the reason why each was stored. Waits until they are on
+  /// The frames with stored images, in order. Waits until they are on
   /// disk. Error: they cannot be read.
   [[nodiscard]] Result<std::vector<StoredFrame>> storedFrames();
   [[nodiscard]] std::filesystem::path folder() const { return writer_->folder(); }
