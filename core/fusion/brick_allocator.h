@@ -10,14 +10,14 @@
 
 namespace scantrove {
 
-/// Makes the bricks that a depth image needs: all that the band of one truncation in front of and behind a
-/// reading touches. One thread, the context's.
+/// Allocates the bricks for a depth image: all that touch the band of one truncation in front of and behind a
+/// reading. The context's thread.
 class BrickAllocator {
  public:
   [[nodiscard]] static Result<BrickAllocator> create(ComputeContext& compute, const FusionParams& params);
 
   /// Allocates into `map`, from images at least 16 pixels wide; `window` holds the pages of the frame's view.
-  /// Slots are handed out in an order that only depends on the frame. Returns how many bricks are new.
+  /// The order of slots depends only on the frame. Returns the number of new bricks.
   int allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
                const Eigen::Isometry3d& T_world_camera);
 

@@ -7,26 +7,25 @@
 
 namespace scantrove {
 
-/// Device memory of one brick: what it holds, and its share of the directory.
+/// Device memory of one brick: its voxels and its share of the directory.
 constexpr double kBrickBytes = BRICK_VOXELS * VOXEL_BYTES + 128;
 
 /// Kernels count voxels with 31 bits.
 constexpr int kMaxBricks = (1 << 22) - 1;
 
-/// How many bricks stay on the device, and what becomes of others.
+/// The number of bricks on the device, and where further ones go.
 struct BrickBudget {
-  int bricks = kMaxBricks;       ///< as long as one view needs no more
-  bool at_once = false;          ///< room for all is made at once, rather than by growing
-  std::filesystem::path folder;  ///< of the file that takes those for which there is no room; empty: no file
+  int bricks = kMaxBricks;       ///< exceeded only if one view needs more
+  bool at_once = false;          ///< allocate all at once instead of growing
+  std::filesystem::path folder;  ///< of the file for further bricks; empty: no file
 };
 
-/// Bricks that the device has room for while their pools grow: all pools, and beside them half of one that is
-/// being replaced.
+/// The number of bricks that fit on the device while pools grow: all pools, plus half of one that is being
+/// replaced.
 [[nodiscard]] double bricksThatFit(const DeviceMemory& memory);
 
-/// The budget that `params` asks for: a quarter of the machine's memory where it says nothing, and no more
-/// than the device has room for. CPU devices get theirs at once: their memory is the system's, and what is
-/// not used of it costs nothing.
+/// The budget in `params`; by default a quarter of the machine's memory, and never more than fits on the
+/// device. CPU devices allocate at once, because unused system memory costs nothing.
 [[nodiscard]] BrickBudget brickBudget(const FusionParams& params, const ComputeContext& compute);
 
 }  // namespace scantrove

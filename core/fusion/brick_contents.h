@@ -7,10 +7,10 @@
 
 namespace scantrove {
 
-/// What bricks hold, on the host: BRICK_VOXELS of each, brick after brick (brick_layout.h).
+/// Voxels of bricks on the host: BRICK_VOXELS per brick, brick after brick (brick_layout.h).
 struct BrickContents {
   BrickContents() = default;
-  /// Of bricks that were never seen.
+  /// Bricks without observations.
   explicit BrickContents(std::size_t bricks)
       : distances(bricks * BRICK_VOXELS, DISTANCE_UNSEEN),
         weights(distances.size()),

@@ -9,27 +9,27 @@
 
 namespace scantrove {
 
-/// What the bricks of a map hold, on the device, by slot: a distance, a weight, a label and a colour for each
-/// of their 512 voxels (brick_layout.h). All may throw cl::Error (no memory left, device lost). One thread,
-/// the context's.
+/// The voxels of a map's bricks on the device, by slot: distance, weight, label and colour of each of the 512
+/// voxels (brick_layout.h). All functions may throw cl::Error (out of memory, device lost). The context's
+/// thread.
 class BrickPools {
  public:
   explicit BrickPools(ComputeContext& compute) : compute_(compute) {}
 
   [[nodiscard]] int capacity() const { return capacity_; }
 
-  /// Tries to make empty pools for `slots` bricks in the memory of a CPU device, where what is not written to
-  /// costs nothing: a brick's labels and colours, say, as long as it has none. False: there is no room.
+  /// Tries to allocate empty pools for `slots` bricks in the memory of a CPU device, where unwritten memory
+  /// costs nothing (for example of missing labels and colours). False if there is no room.
   [[nodiscard]] bool makeAtOnce(int slots);
 
-  /// Room for `slots` bricks; the first `used` keep what they hold. One pool grows after the other, so that
-  /// beside them there is never more than one old pool.
+  /// Grows to `slots` bricks; the first `used` keep their contents. Pools grow one after another, so that at
+  /// most one old pool exists beside the new ones.
   void grow(int slots, int used);
 
-  /// Voxels never seen, without label and colour.
+  /// Resets the slots' voxels to unseen, without label and colour.
   void clear(std::span<const int> slots);
 
-  /// Slot after slot, BRICK_VOXELS each.
+  /// Contents slot after slot, BRICK_VOXELS each.
   [[nodiscard]] BrickContents read(std::span<const int> slots) const;
   void write(std::span<const int> slots, const BrickContents& contents);
 
@@ -43,7 +43,7 @@ class BrickPools {
   [[nodiscard]] const Buffer<cl_uint>& colors() const { return colors_; }
 
  private:
-  /// Something is or will be written to these.
+  /// Marks slots as written to.
   void use(std::span<const int> slots);
 
   ComputeContext& compute_;
@@ -52,7 +52,7 @@ class BrickPools {
   Buffer<cl_uint> labels_;
   Buffer<cl_uint> colors_;
   int capacity_ = 0;
-  int zero_from_ = 0;  ///< slots from here on hold nothing; if that is not known, capacity_
+  int zero_from_ = 0;  ///< slots from here on are empty; capacity_ if unknown
 };
 
 }  // namespace scantrove

@@ -9,11 +9,11 @@
 
 namespace scantrove {
 
-/// The box of pages around one view as kernels look bricks up in it (brick_page.h), on the device. The
+/// The box of pages around one view, on the device, in which kernels look up bricks (brick_page.h). The
 /// context's thread.
 class BrickWindow {
  public:
-  /// Makes the window hold exactly `pages` (indices into `all`).
+  /// Sets the window to exactly `pages` (indices into `all`).
   void set(ComputeContext& compute, const BrickPages& all, std::span<const int> pages);
 
   [[nodiscard]] const Buffer<cl_int>& cells() const { return cells_; }
@@ -21,13 +21,13 @@ class BrickWindow {
   /// Pages along x, y, z and the number of cells.
   [[nodiscard]] cl_int4 size() const { return size_; }
 
-  /// The brick at which the window starts.
+  /// First brick of the window.
   [[nodiscard]] const Eigen::Vector3i& firstBrick() const { return first_brick_; }
 
-  /// The same as kernels take it.
+  /// The same as a kernel argument.
   [[nodiscard]] cl_int4 first() const { return {{first_brick_.x(), first_brick_.y(), first_brick_.z(), 0}}; }
 
-  /// Maps camera points in metres to units of `unit_m` counted from the window's first brick of side
+  /// Maps camera points in metres to units of `unit_m` relative to the window's first brick, of side
   /// `brick_size_m`.
   [[nodiscard]] Eigen::Matrix4d fromCamera(const Eigen::Isometry3d& T_world_camera, double brick_size_m,
                                            double unit_m) const;

@@ -15,30 +15,30 @@
 
 namespace scantrove {
 
-/// Averages colour images into the voxels along the surface that a frame shows (BrickMap::colors): near and
-/// straight views count for more (color_bricks.cl). Cost per frame is bounded: where the surface passes
-/// through more than about kBricksAtATime bricks, they take turns. One thread, the context's.
+/// Averages colour images into the voxels along a frame's surface (BrickMap::colors). Near and frontal views
+/// weigh more (color_bricks.cl). Each frame updates about kBricksAtATime bricks at most, in turns, which
+/// bounds its cost. The context's thread.
 class ColorIntegrator {
  public:
   static constexpr std::size_t kBricksAtATime = 512;  ///< bounds the cost of a frame
 
   [[nodiscard]] static Result<ColorIntegrator> create(ComputeContext& compute, const FusionParams& params);
 
-  /// The frame's surface, after it went into the map, as its depth camera sees it.
+  /// The frame's surface after integration, as its depth camera sees it.
   struct Surface {
     const SurfaceMaps& maps;       ///< V_t and N_t on the device
     const RenderedView& view;      ///< of the maps
-    const DepthPyramid& readings;  ///< of the frame; its first level is of the same pixels as V_t
-    const cv::Mat& hidden;         ///< CV_8UC1 of the same pixels, not 0 = not seen by the colour camera
+    const DepthPyramid& readings;  ///< of the frame; its first level has the pixels of V_t
+    const cv::Mat& hidden;         ///< CV_8UC1, same pixels, not 0 = hidden from the colour camera
   };
 
-  /// Nothing happens where the frame has no colour.
+  /// Does nothing if the frame has no colour.
   void integrate(BrickMap& map, const Surface& surface, const RgbdFrame& frame);
 
-  /// Which bricks and pixels are next.
+  /// The next bricks and pixels in turn.
   struct Turns {
     std::uint32_t frame = 0;  ///< frames with colour so far
-    std::uint32_t first = 0;  ///< turn of the bricks that the next frame begins with
+    std::uint32_t first = 0;  ///< turn of the first bricks of the next frame
   };
   [[nodiscard]] Turns turns() const { return turns_; }
   void restoreState(Turns turns) { turns_ = turns; }
@@ -47,7 +47,7 @@ class ColorIntegrator {
   ColorIntegrator(ComputeContext& compute, const FusionParams& params)
       : compute_(&compute), params_(params) {}
 
-  /// Bricks within a voxel of the surface whose turn it is, into host_bricks_, counted from `first`.
+  /// Lists the bricks within a voxel of the surface whose turn it is into host_bricks_, relative to `first`.
   void listBricks(const BrickMap& map, const RenderedView& view, const Eigen::Vector3i& first);
   void rate(const BrickMap& map, const Surface& surface, const Eigen::Isometry3d& T_world_color);
   template <class T>
@@ -63,7 +63,7 @@ class ColorIntegrator {
   Buffer<cl_uint> ratings_;
   Buffer<cl_int4> bricks_;
   std::vector<cl_int4> host_bricks_;
-  std::vector<std::uint32_t> listed_in_;  ///< by slot: number of the frame that listed it last
+  std::vector<std::uint32_t> listed_in_;  ///< by slot: last frame that listed it
   Turns turns_;
 };
 

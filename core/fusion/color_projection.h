@@ -7,20 +7,19 @@
 
 namespace scantrove {
 
-/// Where the surface that a depth camera sees is seen in the colour image.
+/// Projection of the depth camera's surface into the colour image.
 struct SurfaceInColor {
   /// h x w, CV_32FC2: (column + 0.5) / width and (row + 0.5) / height of the colour image, by pixel of the
-  /// depth camera. Where there is no surface, as if it were infinitely far.
+  /// depth camera. Pixels without surface are projected from infinity.
   cv::Mat places;
-  cv::Mat hidden;  ///< h x w, CV_8UC1, 255 = the colour image ends before it, or shows something nearer there
+  cv::Mat hidden;  ///< h x w, CV_8UC1, 255 = outside the colour image, or occluded in it
 };
 
-/// Where the surface of `view` is seen. Its vertices are not read when colour is registered (no `camera`).
+/// Projects the surface of `view`. Does not read its vertices if colour is registered (no `camera`).
 [[nodiscard]] SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera,
                                            const RenderedView& view);
 
-/// Places as CV_32FC2 pixels of an image of `size` (centres at integers) that shows what the colour image
-/// does.
+/// Converts places to CV_32FC2 pixels (centres at integers) of the colour image scaled to `size`.
 [[nodiscard]] cv::Mat pixelsOf(const cv::Mat& places, const cv::Size& size);
 
 }  // namespace scantrove

@@ -6,9 +6,10 @@
 
 namespace scantrove {
 
-/// Where a frame contradicts the map: the pixels of `view`, rendered from where `now` was taken, whose
-/// surface has something before it, or is seen through. CV_8UC1, 255 there, else 0. A reading on the surface
-/// in the next pixel is enough to agree; without a reading nothing is said. `depth_noise_m`: FusionParams.
+/// Pixels where a frame contradicts the map: readings lie in front of the surface of `view` or behind it.
+/// `view` is rendered from the pose of `now`. CV_8UC1, 255 = contradicted, else 0. A reading on the surface
+/// in an adjacent pixel counts as agreement; pixels without reading never contradict. `depth_noise_m`:
+/// FusionParams.
 [[nodiscard]] cv::Mat contradictedSurface(const DepthView& now, const RenderedView& view,
                                           float depth_noise_m);
 

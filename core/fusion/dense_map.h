@@ -16,9 +16,9 @@
 
 namespace scantrove {
 
-/// The dense map: a truncated signed distance in sparse bricks (Curless and Levoy; thesis 2.2, 3.1). Cost per
-/// frame follows the view, never what was scanned. What has no room in the memory budget waits in a file
-/// until a view meets it (BrickMap). One thread, the context's.
+/// The dense map: a truncated signed distance field in sparse bricks (Curless and Levoy; thesis 2.2, 3.1).
+/// The cost per frame depends on the view, not on the scanned volume. Bricks beyond the memory budget are in
+/// a file until a view meets them (BrickMap). The context's thread.
 class DenseMap {
  public:
   [[nodiscard]] static Result<std::unique_ptr<DenseMap>> create(ComputeContext& compute,
@@ -28,12 +28,11 @@ class DenseMap {
   /// view.
   void integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera);
 
-  /// Lays aside the bricks that the last frame found empty. Waits until the device has integrated it; the
-  /// next integrate() does this by itself. A map that is kept after this is the one that the next frame
-  /// meets.
+  /// Deactivates the bricks that the last frame found empty, after waiting for its integration on the device.
+  /// The next integrate() does this itself. Call it before storing the map.
   void settle();
 
-  /// V_t and N_t from `T_world_camera` for camera `K`; buffers of `surface` are made or resized as needed.
+  /// V_t and N_t from `T_world_camera` for camera `K`; creates or resizes the buffers of `surface` as needed.
   void raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, SurfaceMaps& surface);
 
   [[nodiscard]] BrickMap& bricks() { return bricks_; }
@@ -43,7 +42,7 @@ class DenseMap {
   DenseMap(ComputeContext& compute, const FusionParams& params, BrickAllocator allocator,
            Integrator integrator, Raycaster raycaster);
 
-  /// Makes `pages_` and `window` those of a view, and its bricks those on the device.
+  /// Sets `pages_` and `window` for a view and loads its bricks to the device.
   void beginFrame(const ViewFrustum& frustum, BrickWindow& window);
 
   ComputeContext& compute_;

@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// Metres in a frame of zeros on the device; see depth_plane.clh.
+/// Depth in metres on the device, padded with zeros (depth_plane.clh).
 struct DepthPlane {
   int width = 0;
   int height = 0;

@@ -11,20 +11,20 @@
 
 namespace scantrove {
 
-/// Depth image to metres, edge-preserving filter, pyramid of vertex and normal maps. One thread, the
-/// context's.
+/// Converts depth to metres, applies the edge-preserving filter, and builds the pyramid of vertex and normal
+/// maps. The context's thread.
 class DepthPreprocessor {
  public:
   [[nodiscard]] static Result<std::unique_ptr<DepthPreprocessor>> create(ComputeContext& compute,
                                                                          const Intrinsics& K,
                                                                          const FusionParams& params);
 
-  /// What process() gave last.
+  /// The result of the last process().
   [[nodiscard]] const DepthPyramid& pyramid() const { return pyramid_; }
-  /// Of the finest level of what process() gives.
+  /// Camera of the pyramid's finest level.
   [[nodiscard]] const Intrinsics& workingCamera() const { return pyramid_.levels.front().K; }
 
-  /// Depth of 0 or outside [min_depth, max_depth] becomes 0. The result stays valid until the next call.
+  /// Depths outside [min_depth, max_depth] become 0. The result is valid until the next call.
   [[nodiscard]] const DepthPyramid& process(const RgbdFrame& frame);
 
  private:

@@ -6,15 +6,15 @@
 
 namespace scantrove {
 
-/// A depth image and where it was taken, on the host.
+/// A depth image with its camera and pose, on the host.
 struct DepthView {
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   cv::Mat z_m;  ///< CV_32FC1, height x width, metres along the optical axis, 0 = no reading
 };
 
-/// So far apart two depths contradict each other, whatever noise, edges, slant and poses do: metres, for a
-/// reading at `z_m`. `depth_noise_m`: FusionParams.
+/// Distance in metres from which two depths contradict each other despite noise, edges, slant and pose
+/// errors, for a reading at `z_m`. `depth_noise_m`: FusionParams.
 struct DepthContradiction {
   float anyway_m;
   [[nodiscard]] float at(float z_m, float depth_noise_m) const {
@@ -22,9 +22,10 @@ struct DepthContradiction {
     return anyway_m + kInNoise * depth_noise_m * z_m * z_m;
   }
 };
-/// Of a reading before a surface.
+/// For a reading in front of a surface.
 inline constexpr DepthContradiction kBefore{0.05F};
-/// Of a reading behind one: a mug that was taken from a table uncovers what is a few centimetres behind it.
+/// For a reading behind one. Smaller, because a mug taken from a table uncovers surface a few centimetres
+/// behind it.
 inline constexpr DepthContradiction kBehind{0.025F};
 
 }  // namespace scantrove

@@ -8,12 +8,12 @@
 
 namespace scantrove {
 
-/// A device copy of a host array that grows; only what changed is sent. The context's thread.
+/// A device copy of a growing host array; sends only changed elements. The context's thread.
 template <class T>
 class DeviceMirror {
  public:
-  /// Makes the device's copy equal to `host`, of which the elements `changed` (any order) and those past the
-  /// old end are new since the last call. When `host` outgrows the buffer, a new one takes all of it.
+  /// Updates the device's copy from `host`: the elements `changed` (any order) and those past the old end.
+  /// When `host` outgrows the buffer, copies all of it to a new one.
   void update(ComputeContext& compute, std::span<const T> host, std::span<const std::size_t> changed) {
     if (host.size() > buffer_.size()) {
       buffer_ = Buffer<T>(compute.context(), std::max(host.size(), 2 * buffer_.size()));
@@ -35,7 +35,7 @@ class DeviceMirror {
  private:
   static constexpr std::size_t kFewRuns = 4096;
 
-  /// Where the run of neighbours that starts with changed[first] ends.
+  /// End of the run of consecutive indices that starts at changed[first].
   static std::size_t endOfRun(std::span<const std::size_t> changed, std::size_t first) {
     std::size_t end = first + 1;
     while (end < changed.size() && changed[end] == changed[end - 1] + 1) ++end;
@@ -56,7 +56,7 @@ class DeviceMirror {
     }
   }
 
-  // The memory is the host's: no copy is made of a mapped buffer.
+  // In host memory, mapping a buffer makes no copy.
   void writeInPlace(ComputeContext& compute, std::span<const T> host, std::span<const std::size_t> changed) {
     if (changed.empty()) return;
     void* mapped =

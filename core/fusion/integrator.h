@@ -16,13 +16,12 @@ class Integrator {
  public:
   [[nodiscard]] static Result<Integrator> create(ComputeContext& compute, const FusionParams& params);
 
-  /// Updates the voxels of `slots` (those in the frame's view). Bricks wholly hidden behind what the frame
-  /// shows are passed over.
+  /// Updates the voxels of `slots` (those in the frame's view). Skips bricks that are completely occluded.
   void integrate(BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
                  const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera);
 
-  /// Those of the bricks of the last call that hold nothing but free space, by what its frame showed and by
-  /// what was there before. Said once.
+  /// The bricks of the last integrate() that contain only free space, both in its frame and in the map.
+  /// Returns each once.
   [[nodiscard]] std::vector<Eigen::Vector3i> takeEmptyBricks();
 
  private:

@@ -7,24 +7,24 @@
 
 namespace scantrove {
 
-/// How a reading stands to the map's surface.
+/// Consistency of a reading with the map's surface.
 enum class DepthConsistency : std::uint8_t {
-  none,     ///< there is no reading
-  unknown,  ///< nothing is known there
-  fits,     ///< it is on the surface, or near it
-  before,   ///< the surface lies behind it: something is in front
-  behind    ///< it was seen through the surface: that has gone
+  none,     ///< no reading
+  unknown,  ///< the map has no surface there
+  fits,     ///< on or near the surface
+  before,   ///< in front of the surface, which is occluded
+  behind    ///< behind the surface, which has gone
 };
 
-/// The map's surface as it was seen last, on the host. Immutable; any thread.
+/// The map's surface in its last rendered view, on the host. Immutable; any thread.
 class KnownSurface {
  public:
-  /// Nothing is known.
+  /// Without surface.
   KnownSurface() = default;
-  /// What `view` shows; one without vertices shows nothing.
+  /// The surface of `view`; none if it has no vertices.
   explicit KnownSurface(const RenderedView& view) : view_(view.depth()) {}
 
-  /// Standing by pixel, CV_8UC1. `depth_noise_m`: FusionParams.
+  /// DepthConsistency by pixel, CV_8UC1. `depth_noise_m`: FusionParams.
   [[nodiscard]] cv::Mat consistencies(const DepthView& now, float depth_noise_m) const;
 
  private:

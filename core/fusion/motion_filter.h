@@ -14,40 +14,38 @@
 
 namespace scantrove {
 
-/// Keeps what moves out of the map (thesis ch. 6), and takes out of it what has gone. Readings where a moment
-/// ago there was free space are left out until they have stayed for about a second; surface that is seen
-/// through loses its weight. One thread, the context's.
+/// Keeps moving objects out of the map (thesis ch. 6) and removes surface that has gone. Readings in recent
+/// free space are left out until they have stayed for about a second. Surface with readings behind it loses
+/// its weight. The context's thread.
 class MotionFilter {
  public:
   [[nodiscard]] static Result<std::unique_ptr<MotionFilter>> create(ComputeContext& compute,
                                                                     const FusionParams& params);
 
-  /// The frame, taken at `T_world_camera`, without the readings of things that move; shares the buffers that
-  /// it does not change. Valid until the next call. `known`: the map as seen from the frame before.
+  /// The frame, taken at `T_world_camera`, without the readings of moving objects; shares unchanged buffers.
+  /// Valid until the next call. `known`: the map's surface rendered for the previous frame.
   [[nodiscard]] const DepthPyramid& still(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera,
                                           const KnownSurface& known);
 
-  /// For the frame of the last still(), after it went into the map that `surface` shows from its pose: takes
-  /// the weight from what the frame sees through, and from `surface` what the moving things hide of it.
+  /// For the frame of the last still(), after integration; `surface` is the map rendered from its pose.
+  /// Lowers the weight of surface with readings behind it. Removes from `surface` the part that moving
+  /// objects hide.
   void apply(const DepthPyramid& frame, BrickMap& bricks, SurfaceMaps& surface);
 
-  /// `surface` as the camera should be followed by: without what has been seen for a few frames only, which
-  /// may be somebody who has just come into view. All of it where most is new. Shares the vertices; valid
-  /// until the next call.
+  /// `surface` for tracking, without parts seen for only a few frames, which may be a person who just came
+  /// into view. The complete surface if most of it is new. Shares the vertices; valid until the next call.
   [[nodiscard]] const SurfaceMaps& settled(const SurfaceMaps& surface, const BrickMap& bricks);
 
-  /// The views that it judges the next frame by.
+  /// The recent views against which the next frame is tested.
   [[nodiscard]] FreeSpace& freeSpace() { return free_space_; }
 
-  /// Where it remembers things to have come to rest.
+  /// The objects that came to rest.
   [[nodiscard]] AppearedObjects& appeared_objects() { return appeared_objects_; }
 
-  /// Readings of the last frame by the thing that they came with, as AppearedObjects::atRest() has it; smaller than
-  /// the frame.
+  /// AppearedObjects::atRest() of the last frame; smaller than the frame.
   [[nodiscard]] const cv::Mat& appeared() const { return appeared_; }
 
-  /// Pixels of the last frame that move: CV_8UC1, 255 or 0, smaller than the frame; empty when there are
-  /// none.
+  /// Moving pixels of the last frame: CV_8UC1, 255 or 0, smaller than the frame; empty if none.
   [[nodiscard]] const cv::Mat& moving() const { return moving_; }
 
  private:
@@ -55,7 +53,7 @@ class MotionFilter {
       : compute_(compute), params_(params), free_space_(params.depth_noise_m) {}
 
   void doubt(const DepthPyramid& frame, BrickMap& bricks, const SurfaceMaps& surface);
-  /// A mask on the device.
+  /// Uploads a mask to the device.
   [[nodiscard]] const Buffer<cl_uchar>& sent(const cv::Mat& mask);
 
   ComputeContext& compute_;
@@ -70,7 +68,7 @@ class MotionFilter {
   Buffer<cl_float4> settled_normals_;
   Buffer<cl_int> fresh_counts_;
   cv::Mat moving_, appeared_;
-  cv::Mat vacated_;  // pixels in which the last frame saw through known surface, likewise
+  cv::Mat vacated_;  // pixels of the last frame with readings behind known surface, likewise
 };
 
 }  // namespace scantrove

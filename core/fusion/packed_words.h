@@ -6,7 +6,8 @@
 
 namespace scantrove {
 
-/// 32-bit words of the map, small: bytes of like meaning lie together, then LZ4. Any thread.
+/// Compressed 32-bit words of the map: bytes of equal significance are grouped, then compressed with LZ4. Any
+/// thread.
 struct PackedWords {
   std::vector<char> bytes;
   std::uint32_t unpacked_bytes = 0;
@@ -16,10 +17,10 @@ struct PackedWords {
 /// `words`: less than 1 GiB, not empty.
 [[nodiscard]] PackedWords packWords(std::span<const std::uint32_t> words);
 
-/// None: the bytes are not those that were packed.
+/// None if the bytes are damaged.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> unpackWords(const PackedWords& packed);
 
-/// Finds a changed byte; no protection against intent.
+/// Detects damage; no protection against deliberate changes.
 [[nodiscard]] std::uint64_t checksumOf(std::span<const char> bytes);
 
 }  // namespace scantrove

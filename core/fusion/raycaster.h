@@ -10,13 +10,13 @@
 
 namespace scantrove {
 
-/// The surface of a brick map as a camera sees it: V_t and N_t (thesis 3.1). One thread, the context's.
+/// Renders the surface of a brick map from a camera: V_t and N_t (thesis 3.1). The context's thread.
 class Raycaster {
  public:
   [[nodiscard]] static Result<Raycaster> create(ComputeContext& compute, const FusionParams& params);
 
-  /// Fills `surface`, whose `K` and `T_world_camera` say from where, and whose `window` holds the pages of
-  /// that view. `slots` are the bricks in it.
+  /// Fills `surface` for its `K` and `T_world_camera`; its `window` must hold the pages of that view.
+  /// `slots`: the bricks in view.
   void cast(const BrickMap& map, std::span<const cl_int> slots, SurfaceMaps& surface);
 
  private:

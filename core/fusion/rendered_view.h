@@ -11,8 +11,8 @@ namespace scantrove {
 class ComputeContext;
 struct SurfaceMaps;
 
-/// What the map shows from a pose, on the host. Each image has K.pixels() elements, row by row, or none: then
-/// it was not asked for.
+/// The map rendered from a pose, on the host. Each image has K.pixels() elements, row by row, or none if it
+/// was not requested.
 struct RenderedView {
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
@@ -21,14 +21,14 @@ struct RenderedView {
   std::vector<FragmentId> fragments{};            ///< of the surface; none: unlabelled
   std::vector<RegionId> regions{};                ///< of the fragments; none: unlabelled
 
-  /// Depth of the vertices, 0: no surface. An empty image where there are no vertices.
+  /// Depth of the vertices, 0: no surface. An empty image without vertices.
   [[nodiscard]] DepthView depth() const;
 };
 
 /// Camera, vertices and normals of `surface`, read from the device. A surface without buffers gives no
 /// images. May throw cl::Error.
 [[nodiscard]] RenderedView readView(ComputeContext& compute, const SurfaceMaps& surface);
-/// The other way round. May throw cl::Error.
+/// Writes the images to `surface` on the device. May throw cl::Error.
 void writeView(ComputeContext& compute, const RenderedView& view, SurfaceMaps& surface);
 
 }  // namespace scantrove

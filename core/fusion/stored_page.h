@@ -11,16 +11,16 @@
 
 namespace scantrove {
 
-/// A page of bricks with all that they hold, off the device. Brought back, it is what it was to the last bit.
+/// A page of bricks with their contents, off the device. Restoring it reproduces the page to the last bit.
 struct StoredPage {
-  /// By local index: an empty place as kernels see it (PAGE_EMPTY_CUBE), 0 where a brick is awake.
+  /// By local index: the empty cell for kernels (PAGE_EMPTY_CUBE), or 0 for an active brick.
   std::array<std::int8_t, PAGE_BRICKS> cells{};
-  std::bitset<PAGE_BRICKS> bricks;    ///< which there are, dormant ones too
-  std::bitset<PAGE_BRICKS> inactive;  ///< those of them that are laid aside
+  std::bitset<PAGE_BRICKS> bricks;    ///< existing bricks, including inactive ones
+  std::bitset<PAGE_BRICKS> inactive;  ///< the inactive ones of them
   BrickContents contents;             ///< in the order of the local indices
 
   [[nodiscard]] std::vector<std::uint32_t> toWords() const;
-  /// Of words that toWords made; none: they are not.
+  /// From the words of toWords(); none if they are invalid.
   [[nodiscard]] static std::optional<StoredPage> fromWords(std::span<const std::uint32_t> words);
 };
 

@@ -5,13 +5,13 @@
 
 namespace scantrove {
 
-/// What a camera sees between two depths: all points that project onto one of its pixels.
+/// A camera's view volume between two depths: all points that project onto one of its pixels.
 class ViewFrustum {
  public:
   ViewFrustum(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, double min_depth_m,
               double max_depth_m);
 
-  /// False only if the sphere (world, metres) has no point in the frustum; may be true just outside of its
+  /// False only if the sphere (world, metres) has no point in the frustum; may be true just outside its
   /// edges.
   [[nodiscard]] bool intersectsSphere(const Eigen::Vector3d& center_world, double radius_m) const;
 
