@@ -26,13 +26,12 @@ struct FrameResult {
   SegmentMap segments;  ///< S_t
   RenderedView view;    ///< V_t, N_t and S_cloud,t
   FrameObservation observed;
-  RegionEvents region_events;             ///< changes by this frame
-  std::vector<Candidate> candidates;      ///< they may overlap
-  std::vector<RegionId> regions_in_view;  ///< those with more than a remnant in view
-  std::vector<LateFrame> late;            ///< earlier frames that were integrated with this one
-  bool is_tracking_key_frame = false;     ///< relocalisation uses this frame from now on
-  std::optional<RevisitedKeyFrame>
-      returned;  ///< the key frame that the previous frame, or one before, came back to
+  RegionEvents region_events;                 ///< changes by this frame
+  std::vector<Candidate> candidates;          ///< they may overlap
+  std::vector<RegionId> regions_in_view;      ///< those with more than a remnant in view
+  std::vector<LateFrame> late;                ///< earlier frames that were integrated with this one
+  bool is_tracking_key_frame = false;         ///< relocalisation uses this frame from now on
+  std::optional<RevisitedKeyFrame> returned;  ///< by a recent frame
 
   /// The regions of the view without surface that the frame's depth contradicts: it is gone, or is hidden
   /// by a person.

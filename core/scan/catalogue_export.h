@@ -14,10 +14,10 @@ struct CatalogueExportSummary {
   std::filesystem::path folder;
   int objects = 0, views = 0;
   std::uint64_t bytes = 0;
-  std::vector<std::string> skipped;  ///< a sentence for each object of which views could not be used
+  std::vector<std::string> skipped;  ///< a sentence for each object with unusable views
 };
 
-/// Writes the views of all objects of a catalogue to `folder`, which is there whole or not at all, as
+/// Writes the views of all objects of a catalogue to `folder`, atomically like exportDataset():
 /// exportDataset() does it:
 ///     objects.json                  [{id, name, folder, views, confirmed, ...}]
 ///     ID_NAME/VIEW.color.png        what was cut from the colour image
@@ -25,8 +25,8 @@ struct CatalogueExportSummary {
 ///     ID_NAME/VIEW.depth.png        16 bits, millimetres, 0 = none
 ///     ID_NAME/VIEW.json             pose (depth camera to world, metres), direction, box, camera, camera of
 ///     the crop
-/// The catalogue is only read. `progress` is called before each object; `cancel` is looked at as often.
-/// Error: no such catalogue, nothing in it, a folder with something in it, a full disk, cancelled, ...
+/// The catalogue is only read. `progress` is called, and `cancel` checked, before each object. Error: no
+/// such catalogue, no objects, a folder that is not empty, a full disk, cancelled, ...
 [[nodiscard]] Result<CatalogueExportSummary> exportCatalogue(const std::string& database,
                                                              const std::filesystem::path& folder,
                                                              const ExportProgressCallback& progress = {},

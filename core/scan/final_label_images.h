@@ -15,10 +15,10 @@
 
 namespace scantrove {
 
-/// The images in labels-final/ of a whole session, whichever of its runs wrote them. Those of earlier runs
-/// are drawn again, since their regions may have changed. It needs each frame's depth: the session has that
-/// of key frames, the recording that of all. Only files that the session has on record and that nobody has
-/// changed since are replaced. One thread.
+/// The images in labels-final/ of a whole session, from all of its runs. Images of earlier runs are drawn
+/// again, since their regions may have changed. That needs each frame's depth: the session has that of key
+/// frames, the recording that of all. Only recorded files that nobody has changed since are replaced. One
+/// thread.
 class FinalLabelImages {
  public:
   /// Stores the record in the session. Error: the disk.
@@ -27,11 +27,11 @@ class FinalLabelImages {
   /// `folder`: of the scan.
   explicit FinalLabelImages(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The images of the session so far: they are to be drawn again.
+  /// The session's existing images, which redraw() draws again.
   void begin(const SavedScan& earlier);
 
-  /// Draws the images of earlier runs and stores the record of all. `own`: images of this run. What cannot be
-  /// drawn stays as it is and is named in remarks(). Error: the device or the disk failed.
+  /// Draws the images of earlier runs and stores the record of all. `own`: images of this run. Images that
+  /// cannot be drawn stay unchanged and are named in remarks(). Error: the device or the disk failed.
   [[nodiscard]] Result<void> redraw(const FinalLabelRecord& own, RegionNumbers& numbers,
                                     const FrameLabelWriter::RenderView& look, const StoreRecord& store);
 
@@ -44,12 +44,12 @@ class FinalLabelImages {
     std::string bytes;
   };
   [[nodiscard]] std::filesystem::path fileOf(int frame_index) const;
-  /// Fills pending_ with the earlier images that are as they were written.
+  /// Fills pending_ with the unchanged images of earlier runs.
   void findUnchanged(const std::set<int>& own_frames);
   [[nodiscard]] Result<void> drawFromKeyFrames();
   [[nodiscard]] Result<void> drawFromRecordings();
   [[nodiscard]] Result<void> drawFrom(const SavedRecording& recording, const std::vector<int>& requested);
-  /// Leaves an image pending whose depth this is not.
+  /// Leaves an image pending if its depth differs.
   [[nodiscard]] Result<void> draw(int frame_index, const cv::Mat& depth);
   [[nodiscard]] Result<void> writeDrawn();
   void remarkOnRest();
@@ -59,10 +59,10 @@ class FinalLabelImages {
   FinalLabelRecord record_;
   std::map<int, FinalLabelImage*> pending_;  // by frame index
   std::vector<Drawn> drawn_;                 // not written yet
-  RegionNumbers* numbers_ = nullptr;         // while redraw() runs, like the two below
+  RegionNumbers* numbers_ = nullptr;         // only during redraw(), like the two below
   const FrameLabelWriter::RenderView* look_ = nullptr;
   const StoreRecord* store_ = nullptr;
-  std::string obstacle_;  // why frames of a recording could not be read
+  std::string obstacle_;  // why frames of a recording cannot be read
   std::vector<Error> remarks_;
 };
 

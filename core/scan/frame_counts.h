@@ -2,7 +2,7 @@
 
 namespace scantrove {
 
-/// What became of the frames of one scan so far.
+/// Counts of a scan's frames so far.
 struct FrameCounts {
   int read = 0;     ///< reached the pipeline
   int tracked = 0;  ///< of those read
@@ -11,7 +11,7 @@ struct FrameCounts {
   int dropped = 0;  ///< live camera only
   int skipped = 0;  ///< unreadable frames of the recording
 
-  /// Frames of the recording that are behind the scan.
+  /// Frames of the recording that the scan has passed.
   [[nodiscard]] int done() const { return read + skipped; }
 };
 

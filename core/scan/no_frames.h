@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// The source of a session that nothing is added to: knows its camera, and is over.
+/// The source of a session without new frames: it provides the camera, and is at its end.
 class NoFrames final : public FrameSource {
  public:
   explicit NoFrames(SourceInfo info) : info_(std::move(info)) {}

@@ -7,7 +7,8 @@
 
 namespace scantrove {
 
-/// Red, green, blue, a byte each. Black is "not seen in colour": what is black is stored as nearly so.
+/// Red, green, blue, a byte each. Black means "not seen in colour", so real black is stored as nearly
+/// black.
 struct PackedColor {
   std::array<std::uint8_t, 3> rgb{};
 
@@ -19,17 +20,17 @@ struct PackedColor {
   bool operator==(const PackedColor&) const = default;
 };
 
-/// A direction in two bytes, to about a degree: folded onto an octahedron. 0, 0: none.
+/// A direction in two bytes, accurate to about a degree: octahedral encoding. 0, 0: none.
 struct PackedNormal {
   std::int8_t u = 0;
   std::int8_t v = 0;
 
-  /// Of any length; none for a vector of none.
+  /// From a vector of any length; none for a zero vector.
   [[nodiscard]] static PackedNormal of(const Eigen::Vector3f& normal) {
     const float sum = normal.cwiseAbs().sum();
     if (!(sum > 0)) return {};
     Eigen::Vector2f flat = normal.head<2>() / sum;
-    // The lower half is folded outwards. Upright, which would be 0, 0, is a little off.
+    // The lower half is folded outwards. The upright direction would be 0, 0 and is shifted slightly.
     if (normal.z() < 0) flat = folded(flat);
     PackedNormal packed{step(flat.x()), step(flat.y())};
     if (packed.u == 0 && packed.v == 0) packed.u = 1;
@@ -38,7 +39,7 @@ struct PackedNormal {
 
   [[nodiscard]] bool known() const { return u != 0 || v != 0; }
 
-  /// Unit; zero for none.
+  /// Unit vector; zero for none.
   [[nodiscard]] Eigen::Vector3f unpacked() const {
     if (!known()) return Eigen::Vector3f::Zero();
     Eigen::Vector2f flat(static_cast<float>(u) / kSteps, static_cast<float>(v) / kSteps);

@@ -13,17 +13,17 @@
 
 namespace scantrove {
 
-/// What there is to say of a region.
+/// The description of a region for the window.
 struct RegionInfo {
   RegionId region;
   std::int64_t voxels = 0;
   RegionNote note;
-  ObjectId object;              ///< of the catalogue; none: it is not one
-  ViewCoverage seen_from = {};  ///< of all its fragments
-  /// What is to be said of it; none: what the note says.
+  ObjectId object;              ///< in the catalogue; none: it is no object
+  ViewCoverage seen_from = {};  ///< all its fragments together
+  /// Its label; none: the note applies.
   std::optional<RegionLabel> label = {};
 
-  /// As a person calls it, here or in the catalogue; empty: nobody does.
+  /// The name that a user gave, here or in the catalogue; empty: none.
   [[nodiscard]] std::string name() const {
     if (!label) return note.name;
     return label->is_named ? label->name : std::string();
@@ -31,7 +31,7 @@ struct RegionInfo {
   [[nodiscard]] std::string category() const { return label ? label->category : note.category; }
 };
 
-/// All regions of a scan, by rising id.
+/// All regions of a scan, by ascending id.
 using RegionInfos = std::vector<RegionInfo>;
 
 /// Null: there is no such region.

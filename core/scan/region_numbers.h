@@ -9,24 +9,23 @@
 
 namespace scantrove {
 
-/// The numbers by which label images, of 16 bits, mention regions: their ids, as everywhere else. Ids grow as
-/// long as the scan goes on: a region beyond the 16 bits gets the number that was not written for the longest
-/// time, and keeps it likewise.
+/// The 16-bit numbers of regions in label images: their ids where possible. Ids grow during a scan: a
+/// region beyond 16 bits takes over the number that was unused for the longest time.
 class RegionNumbers {
  public:
-  /// Number of a region, at most 65535; none stays 0.
+  /// The number of a region, at most 65535; none stays 0.
   std::uint32_t numberOf(RegionId region);
   /// The same for a whole image.
   [[nodiscard]] std::vector<std::uint32_t> numbersOf(std::span<const RegionId> regions);
-  /// The region that has a number which was given out.
+  /// The region with an assigned number.
   [[nodiscard]] RegionId regionOf(std::uint32_t number) const {
     return number < entries_.size() ? entries_[number].region : RegionId{};
   }
-  /// The number that a region has; none: it was not written, or had to give it away.
+  /// The current number of a region; none: never written, or its number was reassigned.
   [[nodiscard]] std::optional<std::uint32_t> knownNumberOf(RegionId region) const;
   [[nodiscard]] std::size_t count() const {
     return number_of_region_.size();
-  }  ///< numbers in use, 0 included
+  }  ///< numbers in use, including 0
 
  private:
   [[nodiscard]] std::size_t freeNumberFor(RegionId region);

@@ -7,11 +7,11 @@
 
 namespace scantrove {
 
-/// The report with the keys that the command line promises for report.json; times in ms, memory in MiB.
+/// The report with the documented keys of report.json; times in ms, memory in MiB.
 [[nodiscard]] nlohmann::ordered_json reportToJson(const ScanReport& report);
 
-/// Writes it as report.json; beside, then renamed. That of a refinement replaces only what it found in the
-/// report that is there. Error: names `path`.
+/// Writes report.json through a temporary file. A refinement replaces only its own results in the existing
+/// report. Error: names `path`.
 Result<void> writeReport(const std::filesystem::path& path, const ScanReport& report);
 
 }  // namespace scantrove

@@ -9,29 +9,29 @@
 
 namespace scantrove {
 
-/// Watches a scan as a whole: notices that it cannot come to much, and says why.
+/// Monitors a scan and warns the user when its results will be poor, with the reason.
 class ScanAdvisor {
  public:
-  /// A map of so few frames holds nothing that is lost with it.
+  /// A map of so few frames can be dropped without loss.
   static constexpr int kYoungMapFrames = 5;
-  /// A second of a camera with 30 frames a second.
+  /// One second at 30 frames a second.
   static constexpr int kLostFrames = 30;
 
   /// `max_depth_m`: readings beyond it are not used.
   explicit ScanAdvisor(float max_depth_m) : max_depth_m_(max_depth_m) {}
 
-  /// After each frame that reached the pipeline. A sentence, once, if most of what the frames show is beyond
-  /// max_depth_m.
+  /// Call after each frame that reached the pipeline. Returns a sentence, once, if most of the surface is
+  /// beyond max_depth_m.
   [[nodiscard]] std::optional<Error> addFrame(const RgbdFrame& frame, bool is_usable);
-  /// After each frame whose pose was refused.
+  /// Call after each frame whose pose was rejected.
   void addRefused() { ++lost_in_a_row_; }
-  /// The map is young, and the camera has been lost for a second: the frames it began with misled it.
+  /// Whether the map is young and tracking was lost for a second: its first frames were misleading.
   [[nodiscard]] bool isMisled() const {
     return usable_ > 0 && usable_ <= kYoungMapFrames && lost_in_a_row_ >= kLostFrames;
   }
-  /// A new map begins. What to say of that.
+  /// A new map begins; returns the message for that.
   [[nodiscard]] Error beginAnew(int frame_index);
-  /// At the end of a scan: what to say of frames without a pose, if they are most of them.
+  /// At the end of a scan: advice if most frames have no pose.
   [[nodiscard]] static std::optional<Error> adviceOn(const FrameCounts& frames);
 
  private:
@@ -41,7 +41,7 @@ class ScanAdvisor {
   int usable_ = 0;  // frames of the map
   int lost_in_a_row_ = 0;
   int looked_at_ = 0, far_ = 0;  // frames, and those that are mostly too far away
-  double far_share_ = 0;         // sum over the latter
+  double far_share_ = 0;         // sum over those frames
 };
 
 }  // namespace scantrove

@@ -15,19 +15,19 @@
 
 namespace scantrove {
 
-// What a scan, or the review of its session, reports while it runs. None is lost, and they come in order.
+// Events of a scan, or of the review of its session. None is lost, and they arrive in order.
 
 struct StateChanged {
   ScanState state;
 };
-/// The scan refines its objects with its key frames; `steps` is the same from beginning to end.
+/// The scan refines its objects with its key frames; `steps` does not change in between.
 struct RefinementStepped {
   int done = 0, steps = 1;
   int key_frames = 0;
-  /// 1 ... key_frames. Each is used several times; the steps tell how much of all work is done.
+  /// 1 ... key_frames. Each is used several times; the steps measure the overall progress.
   [[nodiscard]] int keyFrame() const { return std::min(key_frames, 1 + done * key_frames / steps); }
 };
-struct PreparingDevice {};  ///< kernels are compiled, which takes long and happens once on a device
+struct PreparingDevice {};  ///< kernels are being compiled, which takes long and happens once per device
 struct ObjectAdded {
   ObjectId object;
   std::string name;
@@ -38,41 +38,41 @@ struct ObjectRecognized {
 };  ///< first time in this scan
 struct ViewAdded {
   ObjectId object;
-};  ///< another view of an object was kept
+};  ///< another view of an object was stored
 struct ObjectsMerged {
   ObjectId into;
   std::vector<ObjectId> from;
-};  ///< the regions of these objects turned out to be one
+};  ///< the regions of these objects belong to one object
 struct ObjectLeft {
   ObjectId object;
-};  ///< it was removed: in the end its regions are not what its views show
+};  ///< it was removed: its views show something else than its regions
 struct ObjectNamed {
   ObjectId object;
   std::string name;
-};  ///< a person named a region: this object is called so now, and confirmed; it is committed
+};  ///< a user named a region: its object has this name and is confirmed; committed
 struct CatalogueFailed {
   Error error;
-};  ///< the catalogue cannot be read or written for now; the scan goes on, what is found waits
+};  ///< the catalogue cannot be read or written now; the scan goes on, and results wait
 struct MapFailed {
   Error error;
-};  ///< a part of the map cannot be written to disk for now, or not be read back; the scan goes on
+};  ///< a part of the map cannot be written to or read from disk now; the scan goes on
 struct MapDrifted {
   Error error;
-};  ///< the camera is back at a place that the map has beside where it was: what is seen there is in it twice
+};  ///< the camera revisits a place at a different position in the map, which contains it twice
 struct ScanAdvice {
   Error error;
-};  ///< something about the scan as a whole that a person can mend; the scan goes on
+};  ///< a problem of the whole scan that the user can fix; the scan goes on
 struct Edited {
   ScanEdit edit;
-  std::vector<RegionId> regions;  ///< what it was about is now
-};                                ///< a person's operation holds, and is on disk where the scan has a session
+  std::vector<RegionId> regions;  ///< the current regions that the operation affected
+};  ///< a user's operation took effect, and is on disk if the scan has a session
 struct EditFailed {
   ScanEdit edit;
   Error error;
-};  ///< a person's operation changed nothing, or is not on disk
-/// The session of the scan that has ended, or that was opened, can be worked with.
+};  ///< a user's operation had no effect, or is not on disk
+/// The session of the ended scan, or of an opened one, is ready for review.
 struct ReviewOpened {
-  bool can_refine = false;  ///< its refinement was skipped, or it never came to that
+  bool can_refine = false;  ///< its refinement was skipped, or the scan was interrupted before it
 };
 struct ExportPreviewed {
   ExportPreview preview;
@@ -105,7 +105,7 @@ using ScanEvent =
                  Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped,
                  ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
-/// Called on the worker's thread, in order; returns quickly (a window queues the event).
+/// Called on the worker's thread, in order; must return quickly (a window queues the event).
 using ScanListener = std::function<void(const ScanEvent&)>;
 
 }  // namespace scantrove

@@ -10,17 +10,17 @@
 
 namespace scantrove {
 
-/// What joins by users in a running scan did to objects, so that a later run of the program can undo them: as
-/// opened sessions keep it of theirs. Objects are followed by the scan's keys until they are stored.
+/// The effect of users' joins in a running scan on objects, so that a later run of the program can undo
+/// them; stored as by opened sessions. Objects have the scan's keys until they are stored.
 class ScanJoins {
  public:
-  /// Before the objects follow the events of that operation (OperationLog::Entry::number).
+  /// Call before the objects follow the events of that operation (OperationLog::Entry::number).
   void add(int operation, const RegionEvents& events, const CollectedObjects& objects);
-  /// It was undone in this scan.
+  /// The operation was undone in this scan.
   void remove(int operation);
-  /// What the catalogue stored.
+  /// Merges that the catalogue stored.
   void addMerges(std::span<const ObjectMerge> merges);
-  /// The session's metadata of joins, as far as it changed since the last call.
+  /// The session's metadata of joins that changed since the last call.
   [[nodiscard]] SessionMetadata takeChanged(const CollectedObjects& objects);
 
  private:

@@ -15,8 +15,8 @@
 
 namespace scantrove {
 
-/// The objects of a running scan: gives the collector what frames show and what users say of regions, and
-/// tells the map which regions the collector knows. One thread, the worker's.
+/// The objects of a running scan: passes frames and edits of regions to the collector, and tells the map
+/// which regions the collector knows. One thread, the worker's.
 class ScanObjects {
  public:
   /// `pipeline` outlives this.
@@ -26,34 +26,34 @@ class ScanObjects {
   [[nodiscard]] ObjectCollector& collector() { return *collector_; }
   [[nodiscard]] const ObjectCollector& collector() const { return *collector_; }
 
-  /// After each frame that the pipeline processed. Error: the device failed. A catalogue that cannot be
-  /// reached is a value.
+  /// Call after each processed frame. Error: the device failed. An unavailable catalogue is a value, not an
+  /// error.
   [[nodiscard]] Result<FrameObjects> addFrame(const RgbdFrame& frame, const FrameResult& result);
 
-  /// The regions' objects, as an earlier scan of this map found out, and what users said of regions in it:
-  /// things that are no objects of the catalogue become such when they are seen.
+  /// Restores objects and edits of regions from an earlier scan of this map. Named things that are no
+  /// objects of the catalogue yet are added when seen.
   void restore(const SavedScan& scan);
 
-  /// After a user edited regions.
+  /// Call after a user edited regions.
   void follow(const RegionEditor::Outcome& outcome, EditDirection direction);
-  /// What there is to say of each region: by users here, and by the catalogue.
+  /// The label of each region, from edits here and from the catalogue.
   [[nodiscard]] std::map<RegionId, RegionLabel> labels() const;
 
-  /// What the catalogue stored of merges.
+  /// Merges that the catalogue stored.
   void addMerges(std::span<const ObjectMerge> merges) { joins_.addMerges(merges); }
   /// ScanJoins::takeChanged().
   [[nodiscard]] SessionMetadata takeChangedJoins() { return joins_.takeChanged(collector_->objects()); }
 
-  /// Adds what users wait for and the last frame shows, and ends the collecting: ObjectCollector::finish.
+  /// Adds requested regions from the last frame, and ends collecting: ObjectCollector::finish.
   [[nodiscard]] Result<void> finish(const std::function<void(const FrameObjects&)>& announce);
 
  private:
-  /// Regions of objects that the catalogue knows keep their identities; those of one confirmed object become
-  /// one.
+  /// Regions of objects in the catalogue keep their identities; those of one confirmed object become one
+  /// region.
   void keepKnown(const FrameObjects& objects);
-  /// The names of the regions that an edit was about.
+  /// Applies the names of the edited regions.
   void followNames(const Operation& operation, EditDirection direction);
-  /// The region is waited for if a user takes it for a thing. False: it is not.
+  /// Requests the region as an object if a user marked it as a thing. False: it is not.
   bool requestNoted(RegionId region);
   [[nodiscard]] Result<void> addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce);
 

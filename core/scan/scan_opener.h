@@ -11,13 +11,13 @@
 
 namespace scantrove {
 
-/// Opens everything that a scan works with: source, device, result folder, session, catalogue and map. A
-/// session that the scan goes on in, or refines, is read back into the map.
+/// Opens all parts of a scan: source, device, result folder, session, catalogue and map. If the scan
+/// continues or refines a session, the map is restored from it.
 class ScanOpener {
  public:
-  /// `listener` is told what is damaged, and that kernels are compiled; it outlives the parts. `on_events`:
-  /// there is news of the catalogue; called on another thread. Error: what cannot be opened, or would not fit
-  /// the device. The result folder and the catalogue may have been made by then.
+  /// `listener` receives damages and the start of kernel compilation; it outlives the parts. `on_events`:
+  /// events of the catalogue wait; called on another thread. Error: a part cannot be opened, or would not
+  /// fit the device. The result folder and the catalogue may exist by then.
   [[nodiscard]] static Result<ScanParts> open(const ScanRequest& request, const ScanListener& listener,
                                               std::function<void()> on_events);
 
@@ -27,33 +27,33 @@ class ScanOpener {
   }
 
   [[nodiscard]] Result<void> openAll();
-  /// Error: the folder holds files of others.
+  /// Error: the folder contains files of others.
   [[nodiscard]] Result<void> checkFolder() const;
-  /// Opens what the frames come from; of a session that is only refined, the session.
+  /// Opens the source of the frames; to refine a session, the session.
   [[nodiscard]] Result<void> openFrames();
   [[nodiscard]] Result<void> openSessionToRefine();
   [[nodiscard]] Result<void> openOutput();
-  /// Begins the session, or goes on in it. An earlier one gives way to the first usable frame.
+  /// Starts or continues the session. An earlier session is replaced at the first usable frame.
   [[nodiscard]] Result<void> openSession(const SourceInfo& info);
   [[nodiscard]] Result<void> beginSession(const SourceInfo& info);
-  /// The camera of the earlier scan must be this one; its map's parameters are taken over.
+  /// The camera of the earlier scan must be the same; its map's parameters are used.
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
-  /// Reads the session. Where it was interrupted while it told its catalogue something, that comes first.
+  /// Restores the session. Edits of the catalogue that were interrupted are completed first.
   [[nodiscard]] Result<void> loadEarlier();
-  /// The recording's poses are taken: relative to where the scan begins, or began.
+  /// Uses the recording's poses, relative to the start of this or the earlier scan.
   void takePoses();
   [[nodiscard]] Result<void> openMap();
-  /// The earlier scan knows its objects by another catalogue's numbers.
+  /// The earlier scan's object ids belong to another catalogue.
   [[nodiscard]] bool isOfAnotherCatalogue(const std::string& catalogue) const;
   [[nodiscard]] Result<void> restoreSession(ObjectDatabase& database);
-  /// Frame numbers and times go on after those of the earlier frames.
+  /// Frame numbers and times continue those of the earlier frames.
   void continueNumbers(const std::vector<SavedFrame>& earlier);
   void tellDamages(const std::vector<std::string>& damages) const;
 
   const ScanListener& listener_;
   ScanParts parts_;
-  std::unique_ptr<SessionWriter> session_;  // until the recorder has it
-  std::optional<SavedScan> earlier_;        // what the session had
+  std::unique_ptr<SessionWriter> session_;  // until the recorder takes it
+  std::optional<SavedScan> earlier_;        // the data in the session
 };
 
 }  // namespace scantrove

@@ -18,27 +18,27 @@
 
 namespace scantrove {
 
-/// What a running scan works with.
+/// The parts of a running scan.
 struct ScanParts {
-  ScanRequest request;                        ///< completed by what an earlier scan says
+  ScanRequest request;                        ///< completed from the earlier scan
   std::function<void()> on_catalogue_events;  ///< called on another thread
   std::unique_ptr<FrameSource> source;
-  ContinuedSource* continued = nullptr;                    ///< `source`, if the scan goes on with it
-  LocalPoses* local_poses = nullptr;                       ///< `source` or in it, where its poses are taken
+  ContinuedSource* continued = nullptr;                    ///< `source` if the scan continues with it
+  LocalPoses* local_poses = nullptr;                       ///< `source` or inside it, if its poses are used
   Eigen::Vector3d origin_world = Eigen::Vector3d::Zero();  ///< of the map, in the recording's world
   std::unique_ptr<ScanOutput> output;                      ///< null: no results are written
   std::unique_ptr<ComputeContext> compute;
   std::unique_ptr<MappingPipeline> pipeline;
-  std::unique_ptr<ScanObjects> objects;       ///< of `pipeline`
-  std::unique_ptr<SessionRecorder> recorder;  ///< null: nothing is kept
-  RefinementMemory refinement;                ///< where it stops, or has stopped
+  std::unique_ptr<ScanObjects> objects;       ///< uses `pipeline`
+  std::unique_ptr<SessionRecorder> recorder;  ///< null: no session
+  RefinementMemory refinement;                ///< the position where it stops or stopped
   FrameCounts earlier_frames;                 ///< of a session that is only refined
-  bool keeps_earlier_scan = false;            ///< the folder's, until this one has a usable frame
+  bool keeps_earlier_scan = false;            ///< in the folder, until this scan has a usable frame
 
   [[nodiscard]] bool takesGivenPoses() const { return request.poses == ScanRequest::Poses::given; }
   void setOrigin(const Eigen::Vector3d& origin);
-  /// A new map takes the place of the one that there is, if any, and a new collector. Error: the catalogue
-  /// cannot be read, or the device has no room; then nothing has changed. `give_up`: told of the old map.
+  /// Replaces the map, if any, and the collector by new ones. Error: the catalogue cannot be read, or the
+  /// device has no room; then nothing has changed. `give_up` receives the old map.
   [[nodiscard]] Result<void> makeMap(ObjectDatabase& database,
                                      const std::function<void(MappingPipeline&)>& give_up = {});
 };

@@ -9,20 +9,20 @@
 
 namespace scantrove {
 
-/// The refinement of a scan that has ended, or of a session: runs FinalPass, and keeps in the session where
-/// it stopped.
+/// The refinement of an ended scan or of a session: runs FinalPass, and stores in the session where it
+/// stopped.
 class ScanRefinement {
  public:
   struct Callbacks {
     std::function<bool()> may_continue;  ///< asked before each frame
-    std::function<void()> begins;        ///< there are key frames to refine with
+    std::function<void()> begins;        ///< called if there are key frames
     std::function<void(const RefinementStepped&)> stepped;
     std::function<void(const FrameObjects&)> collected;
   };
 
-  /// What it could not find is no result that is lost: failures go to the log.
+  /// Failures go to the log: refinement only adds to the results.
   void run(ScanParts& parts, const Callbacks& callbacks);
-  /// The session of `parts` keeps what a refinement that is not done goes on with.
+  /// Stores the memory of an unfinished refinement in the session of `parts`.
   void keep(ScanParts& parts) const;
 
   [[nodiscard]] const ScanReport::Refinement& report() const { return report_; }

@@ -11,17 +11,17 @@
 
 namespace scantrove {
 
-/// How far the map has drifted, as far as the camera came back to where it had been.
+/// The drift of the map, as measured when the camera revisited a place.
 struct MapDrift {
-  /// Frames at a place seen before, whose poses were corrected by what was seen there then, and by how much.
+  /// Frames at a revisited place whose poses were corrected, and by how much.
   int corrected_frames = 0;
   double most_corrected_m = 0;
-  /// Times that such a place was known again by its landmarks, and how far apart they lay at most.
+  /// Relocalisations of such a place by landmarks, and the greatest distance found.
   int revisited_key_frames = 0;
   double most_m = 0;
 };
 
-/// What came out of a scan; written as report.json.
+/// The results of a scan; written as report.json.
 struct ScanReport {
   std::string source;
   std::string device;
@@ -30,8 +30,8 @@ struct ScanReport {
   std::vector<int> lost_frames;  ///< RgbdFrame::index
   MapDrift drift;
   std::vector<std::string> advice;                     ///< sentences about the scan as a whole
-  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< in the recording's world; places here are relative
-  double fps = 0;  ///< frames processed / wall time of processing, decoding included
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of positions here, in the recording's world
+  double fps = 0;  ///< processed frames / wall time of processing, including decoding
   double frame_median_ms = 0;
   double frame_p95_ms = 0;
   struct Stage {
@@ -40,26 +40,26 @@ struct ScanReport {
     double p95_ms = 0;
   };
   std::vector<Stage> stages;
-  std::vector<SlowFrame> slowest_frames;  ///< the slowest first
+  std::vector<SlowFrame> slowest_frames;  ///< slowest first
   struct Kernel {
     std::string name;
-    double mean_ms = 0;  ///< a frame, on the device
+    double mean_ms = 0;  ///< per frame, on the device
   };
-  std::vector<Kernel> kernels;  ///< the dearest first; empty unless profiled
+  std::vector<Kernel> kernels;  ///< most expensive first; empty unless profiled
   double peak_memory_mb = 0;
   int map_bricks = 0;
   double map_megabytes = 0;              ///< device memory, MiB
-  double map_disk_megabytes = 0;         ///< of the part that is on disk, compressed, MiB
+  double map_disk_megabytes = 0;         ///< of the part on disk, compressed, MiB
   int regions = 0;                       ///< of at least kSmallFragmentVoxels voxels
   int small_fragments = 0;               ///< smaller ones
   std::vector<CollectedObject> objects;  ///< observed in this scan
   struct Refinement {
     double seconds = 0;
-    int key_frames = 0;    ///< that it uses
-    bool skipped = false;  ///< some or all of it is left for later
+    int key_frames = 0;    ///< used by it
+    bool skipped = false;  ///< some or all of it is postponed
   };
   Refinement refinement;  ///< the pass after the last frame
-  /// It came later: of the frames, their times and the device an earlier report tells.
+  /// Refined later: an earlier report has the frames, their times and the device.
   bool is_of_refinement = false;
 };
 

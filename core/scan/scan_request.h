@@ -9,37 +9,36 @@
 
 namespace scantrove {
 
-/// What a scan is to do.
+/// The parameters of a scan.
 struct ScanRequest {
   enum class Poses { tracked, given };
-  /// As openSource takes it. Empty: nothing is scanned, the session in `output_folder` is opened for review.
+  /// As for openSource. Empty: no scan; the session in `output_folder` is opened for review.
   std::string source;
   SourceOptions source_options;
   Poses poses = Poses::tracked;
   ScanParams params;
-  std::string device;    ///< as chooseDevice takes it
-  std::string database;  ///< catalogue to search and add to; empty, with `resume`: that of the session
-  std::optional<std::filesystem::path>
-      output_folder;    ///< where results go; none: nothing but the catalogue is written
-  bool session = true;  ///< keep the scan there, so that it can be opened again
-  bool results = true;  ///< write trajectory, cloud and report there, not the session only
+  std::string device;    ///< as for chooseDevice
+  std::string database;  ///< catalogue to search and extend; empty with `resume`: the session's
+  std::optional<std::filesystem::path> output_folder;  ///< for results; empty: only the catalogue is written
+  bool session = true;  ///< store a session there, so that the scan can be opened again
+  bool results = true;  ///< write trajectory, cloud and report there, not only the session
   bool label_maps = false;
-  bool record_all = false;  ///< keep the images of every frame in the session, not of key frames only
-  /// Continue the session in `output_folder`; else a new one begins there.
+  bool record_all = false;  ///< store the images of every frame in the session, not only of key frames
+  /// Continue the session in `output_folder`; otherwise a new one starts there.
   bool resume = false;
-  /// Begin in a folder with files that no scan wrote (see checkHoldsOnlyOurs()).
+  /// Start in a folder with files that no scan wrote (see checkHoldsOnlyOurs()).
   bool overwrite = false;
-  /// When the scan has ended, its session stays open until the next one starts: it can be edited, its key
-  /// frames shown, and data sets made of it.
+  /// After the scan its session stays open until the next one starts: for editing, viewing key frames and
+  /// exporting data sets.
   bool review = false;
-  bool skip_refinement = false;  ///< leave the pass after the last frame for later
-  /// Scan nothing; do the refinement that the session in `output_folder` has not had, with its own source,
-  /// camera and parameters. Results are written anew where there are some.
+  bool skip_refinement = false;  ///< postpone the refinement
+  /// No scan; do the postponed refinement of the session in `output_folder`, with its source, camera and
+  /// parameters. Existing results are written again.
   bool refine_session = false;
   bool start_paused = false;
-  bool pictures = true;          ///< snapshots hold images and cloud; else numbers alone
-  bool profile_kernels = false;  ///< measures every kernel by itself, which takes time
-  /// How long the end of the scan waits for a catalogue in which nothing can be stored.
+  bool pictures = true;          ///< snapshots contain images and cloud, not only numbers
+  bool profile_kernels = false;  ///< measure each kernel separately, which takes time
+  /// How long the end of the scan waits for a catalogue that cannot be written.
   std::chrono::milliseconds catalogue_patience{20000};
 };
 

@@ -11,29 +11,29 @@
 
 namespace scantrove {
 
-/// A session that a person looks at and corrects when no frames come: the scan has ended, or was opened again
-/// later. Tells the same news as a scan. One thread, the worker's.
+/// A session under review without new frames: the scan has ended, or was opened again later. Sends the same
+/// events as a scan. One thread, the worker's.
 class ScanReview {
  public:
-  /// Key frames are segmented by `params`. Error: as of OpenSession::open.
+  /// Key frames are segmented with `params`. Error: as for OpenSession::open.
   [[nodiscard]] static Result<std::unique_ptr<ScanReview>> open(const ScanRequest& request,
                                                                 const ScanParams& params,
                                                                 ScanListener listener,
                                                                 LatestValue<ScanSnapshot>& mailbox);
 
-  /// Its refinement was skipped, or it never came to that.
+  /// Whether refinement was skipped, or the scan was interrupted before it.
   [[nodiscard]] bool canBeRefined() const { return session_->canBeRefined(); }
 
-  /// Posts a snapshot of all that is there. Error: the device failed.
+  /// Posts a complete snapshot. Error: the device failed.
   [[nodiscard]] Result<void> showAll();
-  /// Shows a key frame, by its place in ScanSnapshot::key_frames, as the map shows it now. Error: its images
-  /// cannot be read; the device failed.
+  /// Shows a key frame by its index in ScanSnapshot::key_frames, as rendered from the current map. Error:
+  /// its images cannot be read; the device failed.
   [[nodiscard]] Result<void> showKeyFrame(int place);
 
-  /// Shows the key frame segmented by these; nothing else comes of them. Error: the device failed.
+  /// Shows the key frame segmented with these parameters, without other effects. Error: the device failed.
   [[nodiscard]] Result<void> setParams(const ScanParams& params);
 
-  /// Does what a person says, keeps it in the session, and tells how it went. Error: the device failed.
+  /// Applies a user's edit, stores it in the session, and reports the outcome. Error: the device failed.
   [[nodiscard]] Result<void> edit(const ScanEdit& edit);
 
   void execute(const PreviewExport& command);
@@ -43,13 +43,13 @@ class ScanReview {
  private:
   ScanReview(std::unique_ptr<OpenSession> session, ScanListener listener, LatestValue<ScanSnapshot>& mailbox);
   [[nodiscard]] Result<void> post();
-  /// The key frame that is shown, with the labels as they are now.
+  /// The current key frame with its current labels.
   [[nodiscard]] Result<void> lookAgain();
-  /// What the session knows of the regions of a key frame.
+  /// The session's data about the regions of a key frame.
   [[nodiscard]] std::vector<SeenObject> objectsIn(const FrameResult& result, const RgbdFrame& frame) const;
-  /// S_t of the key frame that is shown: of what the map shows from there.
+  /// S_t of the current key frame, from the rendered view of the map.
   [[nodiscard]] Result<void> segment();
-  /// An Event with the value, or ExportFailed.
+  /// An event with the value, or ExportFailed.
   template <class Event, class Value>
   void report(const Result<Value>& outcome);
 
@@ -57,7 +57,7 @@ class ScanReview {
   ScanListener listener_;
   SnapshotBuilder snapshots_;
   std::vector<const SavedKeyFrame*> key_frames_;  // with a pose
-  int shown_ = -1;                                // of key_frames_
+  int shown_ = -1;                                // index in key_frames_
   SegmentationParams segmentation_;
   SegmentMap segments_;  // of the key frame segmented_, by segmentation_
   int segmented_ = -1;

@@ -20,46 +20,46 @@ namespace scantrove {
 /// snapshots and events out, results at the end. One thread, the worker's.
 class ScanRun {
  public:
-  /// Opens everything that `request` names (ScanOpener). `on_events`: followCatalogue() has something to
-  /// tell; called on another thread.
+  /// Opens everything that `request` names (ScanOpener). `on_events`: followCatalogue() has events to
+  /// report; called on another thread.
   [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
                                                              ScanListener listener,
                                                              LatestValue<ScanSnapshot>& mailbox,
                                                              std::function<void()> on_events);
 
   enum class Step { frame, nothing_yet, end };
-  /// Reads and processes the next frame. Error: the scan cannot go on.
+  /// Reads and processes the next frame. Error: the scan cannot continue.
   [[nodiscard]] Result<Step> step();
 
   [[nodiscard]] bool hasFrames() const { return tally_->frames().read > 0; }
 
-  /// Posts a snapshot for the window if it is time for one. Error: the device failed.
+  /// Posts a snapshot for the window when due. Error: the device failed.
   [[nodiscard]] Result<void> showWhenDue(ScanState state);
-  /// Posts a snapshot at once, with all that changed. Error: the device failed.
+  /// Posts a complete snapshot at once. Error: the device failed.
   [[nodiscard]] Result<void> showNow(ScanState state);
 
-  /// Learns what became of the catalogue meanwhile and tells it; frames do so by themselves. False: nothing
-  /// new so far; `on_events` of open() says when there is.
+  /// Reads and reports changes of the catalogue; frames include this. False: nothing new yet; `on_events`
+  /// of open() reports when there is.
   bool followCatalogue();
   void setParams(const ScanParams& params);
-  /// The last frame's segments as the present parameters give them, for the next snapshot; the map stays as
-  /// it is. Error: the device failed.
+  /// Segments the last frame again with the current parameters for the next snapshot; the map stays
+  /// unchanged. Error: the device failed.
   [[nodiscard]] Result<void> segmentAgain();
 
-  /// Does what a user says to the regions, keeps it in the session, and tells how it went.
+  /// Applies a user's edit of regions, stores it in the session, and reports the outcome.
   void edit(const ScanEdit& edit);
 
-  /// Wall time that must not count, because a user paused.
+  /// Wall time to exclude because the user paused.
   void startClock() { tally_->startClock(); }
   void stopClock() { tally_->stopClock(); }
 
   struct Ending {
     std::function<bool()> refines;         ///< asked before each frame of the refinement
-    std::function<void(ScanState)> enter;  ///< told `refining`, then `finishing`
+    std::function<void(ScanState)> enter;  ///< called with `refining`, then `finishing`
   };
-  /// Refines the objects, writes the results, stores what waits for the catalogue and closes its session; for
-  /// every end of a scan, good or bad. What fails keeps nothing else from being written. Error: the first
-  /// failure (the others are in the log).
+  /// Refines the objects, writes the results, stores the remaining changes in the catalogue and closes its
+  /// session; for every end of a scan, regular or not. A failure does not prevent other outputs. Error: the
+  /// first failure (the others are in the log).
   [[nodiscard]] Result<ScanReport> finish(const Ending& ending);
 
  private:
@@ -72,23 +72,22 @@ class ScanRun {
   void announceMapFailure();
   [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
-  /// Into the session.
+  /// Stores in the session.
   void keepFrame(const RgbdFrame& frame, const FrameResult& result);
-  /// Gives the session what joins did to objects (ScanJoins). There is a recorder.
+  /// Passes the effect of joins on objects to the session (ScanJoins). Requires a recorder.
   void keepJoins();
   void advise(const Error& advice);
-  /// A young map that misled the camera is given up for a new one, where nothing was found in it and nobody
-  /// did anything to it.
+  /// Replaces a young map that misled tracking by a new one, if it has no objects and no edits.
   [[nodiscard]] Result<void> beginAnewIfMisled(int frame_index);
   void refine(const Ending& ending);
   void fillReport(ScanReport& report);
-  /// Error: nothing of what the frames show came into the map.
+  /// Error: no frame was integrated into the map.
   [[nodiscard]] Result<void> checkResult(const ScanReport& report) const;
 
   ScanListener listener_;
   SnapshotBuilder snapshots_;
   ScanParts parts_;
-  std::optional<FrameRead> next_read_;  // taken from the source before its turn
+  std::optional<FrameRead> next_read_;  // read from the source ahead of time
   bool is_recording_noted_ = false;     // in the session
   std::optional<ScanTally> tally_;
   std::optional<ScanAdvisor> advisor_;

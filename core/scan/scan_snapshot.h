@@ -19,19 +19,19 @@
 
 namespace scantrove {
 
-/// The points of one brick of the label cloud, at a version that grows with each change of the brick.
+/// The points of one brick of the label cloud, with a version that grows with each change of the brick.
 struct CloudBrick {
   struct Point {
     float x, y, z;        ///< the voxel's centre; world, metres
-    FragmentId fragment;  ///< its region: by all ScanSnapshot::changed_regions so far
-    PackedColor color{};  ///< the scene's
+    FragmentId fragment;  ///< gives the region through all ScanSnapshot::changed_regions so far
+    PackedColor color{};  ///< the scene's colour
     std::int8_t height =
         0;  ///< of the voxel's centre over the surface, along the normal; kHeightSteps = a voxel
     PackedNormal normal{};  ///< out of the surface
 
     static constexpr float kHeightSteps = 100;
     [[nodiscard]] Eigen::Vector3f center() const { return {x, y, z}; }
-    /// Where the surface is.
+    /// The surface point.
     [[nodiscard]] Eigen::Vector3f onSurface(float voxel_size_m) const {
       return center() - voxel_size_m * static_cast<float>(height) / kHeightSteps * normal.unpacked();
     }
@@ -39,17 +39,17 @@ struct CloudBrick {
   Eigen::Vector3i position;  ///< in units of bricks
   std::uint64_t version = 0;
   std::vector<Point> points;  ///< replaces all earlier points of this brick
-  bool by_person = false;     ///< who changed it, and waits for it to be seen
+  bool by_person = false;     ///< changed by a user, who waits to see it
 };
 
-/// A fragment is part of another region than before; of none: no voxel holds it any more.
+/// The new region of a fragment; none: it has no voxels any more.
 struct RegionChange {
   FragmentId fragment;
   RegionId region;
-  bool by_person = false;  ///< who said so, and waits for it to be seen
+  bool by_person = false;  ///< changed by a user, who waits to see it
 };
 
-/// What the window shows: one immutable value, made by the worker, collected from the mailbox by the window.
+/// What the window shows: one immutable value, made by the worker and taken from the mailbox by the window.
 /// Snapshots may be skipped: `changed_bricks` and `changed_regions` of a skipped one are carried over into
 /// the next.
 struct ScanSnapshot {
@@ -58,30 +58,29 @@ struct ScanSnapshot {
   FrameCounts frames;
   int frames_total = 0;  ///< of the recording; 0 = unknown (live)
   PoseEstimate pose;
-  Intrinsics K;                                               ///< of the working resolution; for the frustum
+  Intrinsics K;                                               ///< at the working resolution; for the frustum
   std::shared_ptr<const std::vector<Eigen::Vector3f>> trail;  ///< camera centres so far, world
 
-  // Panels. Shared images that nobody writes any more; any may be empty.
-  cv::Mat color;        ///< CV_8UC3 BGR, as recorded
-  cv::Mat last_seen;    ///< the same of the last frame with a pose, while there is none and the scan goes on;
-                        ///< else empty
-  cv::Mat depth_raw_m;  ///< CV_32FC1 metres, 0 = none, working resolution
+  // Panels. Shared images that are not modified any more; any may be empty.
+  cv::Mat color;          ///< CV_8UC3 BGR, as recorded
+  cv::Mat last_seen;      ///< colour of the last frame with a pose while tracking is lost; else empty
+  cv::Mat depth_raw_m;    ///< CV_32FC1 metres, 0 = none, working resolution
   cv::Mat depth_fused_m;  ///< CV_32FC1 metres, 0 = none, working resolution: V_t's camera depth
   cv::Mat segments;       ///< CV_32SC1, S_t ids, working resolution
   cv::Mat regions;        ///< CV_32SC1, S_cloud,t region ids, working resolution
   std::vector<SeenObject> objects;
-  cv::Mat color_places;  ///< SurfaceInColor::places: where each pixel of `regions` lies in `color`; empty: at
+  cv::Mat color_places;  ///< SurfaceInColor::places: position of each pixel of `regions` in `color`; empty:
                          ///< the same fractions of width and height
 
   std::shared_ptr<const RegionInfos> region_infos;               ///< of the whole map; null: none yet
-  std::shared_ptr<const std::vector<DoneOperation>> operations;  ///< all of the log; null: none yet
-  /// While a session is looked at without a camera: its key frames, by their numbers in the source, and which
-  /// of them the panels show (its place in the list; -1: none).
+  std::shared_ptr<const std::vector<DoneOperation>> operations;  ///< the whole log; null: none yet
+  /// During review: the session's key frames by their numbers in the source, and the index of the one in
+  /// the panels (-1: none).
   std::shared_ptr<const std::vector<int>> key_frames;
   int shown_key_frame = -1;
 
   std::vector<CloudBrick> changed_bricks;
-  std::vector<RegionChange> changed_regions;  ///< of several for one fragment the last holds
+  std::vector<RegionChange> changed_regions;  ///< the last of several for one fragment counts
 
   struct StageTime {
     std::string name;

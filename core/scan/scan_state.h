@@ -3,18 +3,18 @@
 namespace scantrove {
 
 /// States of a ScanWorker.
-/// `finishing`: no more frames come, by themselves or because a person stopped; `refining`: Refinement runs;
-/// `finished`: the scan has ended, and its session may be open for review.
+/// `finishing`: no more frames come, at the end of the source or because a user stopped; `refining`:
+/// refinement runs; `finished`: the scan has ended, and its session may be open for review.
 enum class ScanState { idle, starting, scanning, paused, finishing, refining, finished, failed };
 
-/// A scan that runs, or begins or ends, keeps its worker busy.
+/// Whether the worker is busy: a scan runs, starts or ends.
 [[nodiscard]] constexpr bool isBusy(ScanState state) {
   return state == ScanState::starting || state == ScanState::scanning || state == ScanState::paused ||
          state == ScanState::finishing || state == ScanState::refining;
 }
 
-/// All changes of state that there are. A scan goes from `starting` over `finishing` to its end, even when
-/// it breaks off; a session that is opened goes from `starting` to its end at once.
+/// All valid state changes. A scan goes from `starting` through `finishing` to its end, even when
+/// interrupted; an opened session goes from `starting` to its end at once.
 [[nodiscard]] constexpr bool canChange(ScanState from, ScanState to) {
   using enum ScanState;
   switch (from) {

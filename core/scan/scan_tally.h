@@ -10,18 +10,18 @@
 
 namespace scantrove {
 
-/// Counts what becomes of a scan's frames, how far the map drifts and how long it takes.
+/// Counts a scan's frames, and measures drift and duration.
 class ScanTally {
  public:
-  /// `earlier`: of the session, where no frames are added.
+  /// `earlier`: of the session, if no frames are added.
   explicit ScanTally(const FrameCounts& earlier) : frames_(earlier) {}
 
-  /// After each frame that reached the pipeline. Something to tell of drift, or nothing.
+  /// Call after each frame that reached the pipeline. Returns a message about drift, if any.
   [[nodiscard]] std::optional<Error> addFrame(const FrameResult& result, int frame_index);
   void addSkipped() { ++frames_.skipped; }
   void addDropped(int frames) { frames_.dropped += frames; }
   void addFrameTime(double ms) { frame_ms_.push_back(ms); }
-  /// The map is given up for a new one: its frames are lost.
+  /// The map is replaced by a new one: its frames are lost.
   void beginAnew();
 
   /// Wall time that counts.
@@ -29,7 +29,7 @@ class ScanTally {
   void stopClock();
 
   [[nodiscard]] const FrameCounts& frames() const { return frames_; }
-  /// Frames, lost frames, drift and times of `report`.
+  /// Fills in frames, lost frames, drift and times of `report`.
   void fill(ScanReport& report) const;
 
  private:

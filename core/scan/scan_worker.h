@@ -20,50 +20,50 @@ namespace scantrove {
 class ScanReview;
 class ScanRun;
 
-/// Runs one scan after the other on a thread that owns device and pipeline. Commands go in, snapshots and
-/// events come out. All public functions are for any thread; only wait() waits for a frame.
+/// Runs scans one after the other on a thread that owns device and pipeline. It takes commands, and sends
+/// snapshots and events. All public functions are for any thread; only wait() waits for frames.
 class ScanWorker {
  public:
-  /// `niceness`: of the worker, and of the device's threads where they are the processor's.
+  /// `niceness`: of the worker, and of the device's threads if these run on the CPU.
   explicit ScanWorker(ScanListener listener, Niceness niceness = Niceness::none);
   ~ScanWorker();  ///< closes the scan and waits for that
   ScanWorker(const ScanWorker&) = delete;
   ScanWorker& operator=(const ScanWorker&) = delete;
 
-  /// Of several ShowKeyFrame, SetParams, FollowCatalogue, or exports of one kind, that wait only the newest
-  /// is done.
+  /// Of several waiting ShowKeyFrame, SetParams, FollowCatalogue, or exports of one kind, only the newest
+  /// is executed.
   void post(ScanCommand command);
-  void wait();  ///< until the scan that was started last has ended; its review may be open
+  void wait();  ///< until the last started scan has ended; its review may be open
   [[nodiscard]] ScanState state() const { return state_; }
   [[nodiscard]] LatestValue<ScanSnapshot>& snapshots() { return snapshots_; }
 
  private:
-  /// What commands have set for the present scan.
+  /// Settings by commands for the current scan.
   struct Control {
     bool is_paused = false;
     int steps = 0;
     bool is_stopped = false, is_closed = false;
     bool skips_refinement = false;
   };
-  /// What commands have changed of the frame that is shown.
+  /// Changes by commands to the displayed frame.
   struct Changes {
     bool catalogue = false, params = false, regions = false;
   };
-  /// What a command is for; both null: nothing is open.
+  /// The target of a command; both null: nothing is open.
   struct Target {
     ScanRun* run = nullptr;
     ScanReview* review = nullptr;
   };
 
   void loop(const std::stop_token& token);
-  /// Does one command. Error: scan or review cannot go on.
+  /// Executes one command. Error: scan or review cannot continue.
   [[nodiscard]] Result<void> execute(const ScanCommand& command, Target target);
-  /// The next command for the present scan, or none. StartScan stays in the queue.
+  /// The next command for the current scan, or none. StartScan stays in the queue.
   [[nodiscard]] std::optional<ScanCommand> take();
-  /// The same, after waiting for it. None: another scan is to start.
+  /// The same, after waiting for one. None: another scan is to start.
   [[nodiscard]] std::optional<ScanCommand> awaitCommand();
   template <class Command>
-  [[nodiscard]] bool isPosted() const;  // mutex_ is held
+  [[nodiscard]] bool isPosted() const;  // requires mutex_
 
   [[nodiscard]] std::stop_token exportStop();
 
@@ -76,10 +76,10 @@ class ScanWorker {
   [[nodiscard]] Result<void> showPaused(ScanRun& run);
   [[nodiscard]] bool isEnding();
   [[nodiscard]] bool isRefinementSkipped();
-  /// Keeps the session of `request` open until something else is asked for.
+  /// Keeps the session of `request` open until another request arrives.
   void review(const ScanRequest& request, bool is_after_scan);
 
-  /// All changes of state.
+  /// All state changes.
   void enter(ScanState next);
   void failWith(const Error& error);
 
@@ -87,18 +87,18 @@ class ScanWorker {
   std::atomic<ScanState> state_{ScanState::idle};
   LatestValue<ScanSnapshot> snapshots_;
 
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::deque<ScanCommand> queue_;
-  bool is_running_ = false;       // what wait() waits for
-  std::stop_source export_stop_;  // of the export that was posted last
+  bool is_running_ = false;       // for wait()
+  std::stop_source export_stop_;  // of the last posted export
 
-  // The worker's thread's alone.
+  // Only for the worker's thread.
   Control control_;
   Changes changes_;
-  ScanParams params_;  // as they were set last
+  ScanParams params_;  // as last set
 
-  std::jthread thread_;  // last: it uses all of the above
+  std::jthread thread_;  // last: uses all members above
 };
 
 }  // namespace scantrove

@@ -16,65 +16,64 @@
 
 namespace scantrove {
 
-/// How far a scan has come.
+/// The progress of a scan.
 struct ScanProgress {
   ScanState state = ScanState::idle;
   FrameCounts frames;
   int frames_total = 0;  ///< 0 = unknown (live)
 };
 
-/// Makes the snapshots of one scan. Works only when the window has collected the last one and enough time has
+/// Builds the snapshots of one scan. Works only when the window has taken the last one and enough time has
 /// passed, and sends a bounded number of label-cloud bricks each time, in the order of WaitingBricks. One
 /// thread, the worker's.
 class SnapshotBuilder {
  public:
-  /// In one snapshot while scanning, and read out at a time at its end: bounds what it takes from a frame,
-  /// and of memory.
+  /// Maximum in one snapshot during a scan, and per read-out at its end: bounds time per frame, and memory.
   static constexpr std::size_t kMaxBricks = 1500;
 
-  /// `first_version`: above that of all bricks that the window has already.
+  /// `first_version`: above that of all bricks that the window has.
   explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox, std::uint64_t first_version = 0)
       : mailbox_(mailbox), version_(first_version) {}
 
-  /// Call for every frame: remembers it, the objects in it, its place on the trail and the bricks it changed.
+  /// Call for every frame: stores it, its objects, its position on the trail and the bricks it changed.
   void addFrame(const MappingPipeline& pipeline, RgbdFrame frame, FrameResult result,
                 std::vector<SeenObject> objects = {});
 
-  /// Bricks that something else than a frame changed.
+  /// Bricks that changed for other reasons than a frame.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
 
-  /// Another map takes the place of this one: its bricks are shown as they are there.
+  /// Another map replaces this one: its bricks are shown instead.
   void beginAnew(MappingPipeline& given_up);
 
-  /// Snapshots hold numbers alone from now on: no images, no regions, no bricks.
+  /// From now on snapshots contain only numbers: no images, regions or bricks.
   void omitPictures() { has_pictures_ = false; }
-  /// Around something that a person does to the regions: what that changes is sent before all else, and
-  /// marked.
+  /// Encloses a user's edit of regions: its changes are sent first, and marked.
   void beginEdit(MappingPipeline& pipeline) { keepRegionChanges(pipeline, false); }
   void endEdit(MappingPipeline& pipeline);
 
-  /// What is looked at when no frames come: see ScanSnapshot. Of earlier frames the way of the camera.
+  /// For review: see ScanSnapshot. Of earlier frames only the camera trail.
   void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
   void setShownKeyFrame(int place) { shown_key_frame_ = place; }
-  /// A frame of before, as the map shows it now.
+  /// An earlier frame, rendered from the current map.
   void showFrame(RgbdFrame frame, FrameResult result, std::vector<SeenObject> objects) {
     frame_ = std::move(frame);
     result_ = std::move(result);
     objects_ = std::move(objects);
   }
-  /// The same frame, segmented anew.
+  /// The same frame, segmented again.
   void showSegments(SegmentMap segments) { result_.segments = std::move(segments); }
-  /// Who says what there is to say of the regions, and, while that may change, of an object that was seen.
+  /// Sources of region labels, and of an object's data while that may change.
   struct Labels {
     std::function<std::map<RegionId, RegionLabel>()> of_regions;
     std::function<void(SeenObject&)> describe = {};
   };
   void setLabels(Labels labels) { labels_ = std::move(labels); }
 
-  /// Posts a snapshot if the last one was collected and is old enough. Error: the device failed.
+  /// Posts a snapshot if the last one was taken and is old enough. Error: the device failed.
   [[nodiscard]] Result<void> postWhenDue(MappingPipeline& pipeline, const ScanProgress& progress);
 
-  /// Posts what there is at once, with all bricks that still wait: at a pause, a step, the end.
+  /// Posts a snapshot at once, with all waiting bricks: at a pause, a step, the end. Error: the device
+  /// failed.
   /// Error: the device failed.
   [[nodiscard]] Result<void> flush(MappingPipeline& pipeline, const ScanProgress& progress);
 
@@ -99,8 +98,8 @@ class SnapshotBuilder {
   cv::Mat last_seen_;                // colour image of the last frame with a pose
   std::vector<Eigen::Vector3f> trail_;
   WaitingBricks waiting_;
-  std::vector<RegionChange> region_changes_;                       // that wait
-  std::uint64_t version_;                                          // of the bricks that are sent
+  std::vector<RegionChange> region_changes_;                       // waiting
+  std::uint64_t version_;                                          // of the sent bricks
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second
   std::chrono::steady_clock::time_point last_post_;
   double fps_ = 0;
