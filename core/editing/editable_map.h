@@ -8,21 +8,21 @@
 
 namespace scantrove {
 
-/// What operations need of the map that the regions are in. May throw cl::Error.
+/// The map as operations use it. May throw cl::Error.
 class EditableMap {
  public:
   virtual ~EditableMap() = default;
 
   [[nodiscard]] virtual float voxelSize() const = 0;
-  /// How many voxels hold each fragment, by fragment number.
+  /// Number of voxels of each fragment, by fragment number.
   [[nodiscard]] virtual std::span<const int> voxelsOfFragments() const = 0;
 
-  /// Voxels at the surface that hold one of `fragments` (rising), in an order that only depends on where they
-  /// are. With `places` (world), only those that such voxels connect with one of them, brick by brick: so the
-  /// cost follows the region, not the map.
+  /// Surface voxels of `fragments` (rising), in an order that depends only on their positions. With `places`
+  /// (world), only those connected to one of the places through such voxels, brick by brick. The cost then
+  /// depends on the region, not on the map.
   [[nodiscard]] virtual std::vector<SurfaceVoxel> surfaceOf(std::span<const FragmentId> fragments,
                                                             std::span<const Eigen::Vector3f> places) = 0;
-  /// These voxels hold `fragment` from now on.
+  /// Sets these voxels to `fragment`.
   virtual void relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment) = 0;
 };
 

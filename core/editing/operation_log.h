@@ -9,7 +9,7 @@
 
 namespace scantrove {
 
-/// What an operation changed, so that it can be taken back, and done again, whatever frames did meanwhile.
+/// Changes of an operation, for undoing and redoing it even if later frames changed the regions.
 struct OperationEffect {
   struct UserConstraint {
     FragmentId a, b;
@@ -28,14 +28,14 @@ struct OperationEffect {
   bool operator==(const OperationEffect&) const = default;
 };
 
-/// All that was done, in order; none is ever dropped. What was undone can be done again until something else
-/// is done. One thread.
+/// All operations in order; none is ever dropped. An undone operation can be redone until another is done.
+/// One thread.
 class OperationLog {
  public:
   enum class State {
     done,
-    undone,     ///< can be done again
-    superseded  ///< was undone, then something else was done
+    undone,     ///< can be redone
+    superseded  ///< undone, then another operation was done
   };
   struct Entry {
     int number = 0;  ///< 1, 2, ...
@@ -45,25 +45,24 @@ class OperationLog {
   };
 
   void add(Operation operation, OperationEffect effect);
-  /// An entry as it was read back, in order.
+  /// Adds a stored entry; entries come in order.
   void restore(Entry entry);
 
-  /// The newest that is done, now undone; null: there is none.
+  /// Marks the newest done entry as undone and returns it; null if there is none.
   [[nodiscard]] const Entry* undo();
-  /// The oldest of those undone last, now done again; null: there is none.
+  /// Marks the entry undone last as done and returns it; null if there is none.
   [[nodiscard]] const Entry* redo();
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
 
-  /// `part` was cut out of `fragment` just now: what was done to that was done to it.
+  /// `part` was split from `fragment`: entries for `fragment` now include `part`.
   void splitOff(FragmentId part, FragmentId fragment);
-  /// What that entry changed is so much more: since it was done, or taken back, frames have added to its
-  /// regions.
+  /// Adds to an entry's effect, because frames have added fragments to its regions since.
   void extend(int number, const OperationEffect& more);
-  /// The fragment is no more; its number may come again for another.
+  /// Removes a freed fragment; its number may be reused.
   void forget(FragmentId fragment);
 
-  /// Entries (by place) that changed since the last call: for one who keeps a copy.
+  /// Indices of entries that changed since the last call.
   [[nodiscard]] std::vector<std::size_t> takeChanged();
 
  private:

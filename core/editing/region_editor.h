@@ -12,52 +12,50 @@
 
 namespace scantrove {
 
-/// Does to the regions of a scan what a person says, and takes it back. Between two frames or without any;
-/// what is said holds for the frames that follow. One thread, that of map and merger; may throw cl::Error.
+/// Applies and undoes a person's edits of regions, between two frames or without any. Edits also constrain
+/// later frames. The thread of map and merger; may throw cl::Error.
 class RegionEditor {
  public:
-  /// All of these outlive the editor.
+  /// All arguments must outlive the editor.
   RegionEditor(RegionTable& table, RegionMerger& merger, EditableMap& map)
       : table_(table), merger_(&merger), map_(map) {}
 
   struct Outcome {
     RegionEvents events;
-    std::vector<RegionId> regions;  ///< what the operation was about is now; of a cut: here, there
-    Operation operation;            ///< that was done, undone or done again
+    std::vector<RegionId> regions;  ///< resulting regions of the operation; of a cut: here, there
+    Operation operation;            ///< that was done, undone or redone
   };
 
   /// Names are stored as checkedLabelName and checkedCategoryName return them.
-  /// Error: there is no such region, a name breaks the rule, a cut whose two sides are one place, nothing to
-  /// take apart, ...; then nothing was changed.
+  /// On an error nothing changes: unknown region, invalid name, a cut with both sides at one place, nothing
+  /// to split, ...
   [[nodiscard]] Result<Outcome> apply(const Operation& given, const LabelingParams& params);
-  /// Takes the newest operation back, and no more than that: what frames changed meanwhile stays, and what
-  /// they cut out of regions meanwhile, or added to a part that a cut had made, goes where the rest of it
-  /// goes. Error: there is none.
+  /// Undoes only the newest operation. Later changes by frames stay. Fragments that frames split off since,
+  /// or added to a part of a cut, move with the rest of their region. Error if there is no operation.
   [[nodiscard]] Result<Outcome> undo();
-  /// Does it again, to the regions as they are now: what frames added to them meanwhile is joined, too.
-  /// Error: there is none.
+  /// Redoes the operation on the current regions, including fragments that frames added since. Error if there
+  /// is none.
   [[nodiscard]] Result<Outcome> redo();
 
   [[nodiscard]] const OperationLog& log() const { return log_; }
   [[nodiscard]] OperationLog& log() { return log_; }
   [[nodiscard]] const RegionNotes& notes() const { return notes_; }
-  /// As read back from where they were kept.
+  /// Sets a stored note.
   void restoreNote(RegionId region, const RegionNote& note) { setNote(region, note); }
   void useMerger(RegionMerger& merger) { merger_ = &merger; }
   void forget(FragmentId fragment) { log_.forget(fragment); }
-  /// A frame has shown that `part` is something else than the rest of `fragment`: what was done to that was
-  /// done to it, and is taken back with it.
+  /// A frame has split `part` from `fragment`: operations on `fragment` now include `part`, also in undo.
   void splitOff(FragmentId part, FragmentId fragment) { log_.splitOff(part, fragment); }
 
  private:
   using Fragments = std::vector<FragmentId>;
-  /// An operation while it is done.
+  /// An operation in progress.
   struct Work {
     const Operation& operation;
     const LabelingParams& params;
     OperationEffect effect;
     Outcome outcome;
-    std::vector<std::pair<FragmentId, RegionId>> before;  // of all fragments that it may move
+    std::vector<std::pair<FragmentId, RegionId>> before;  // regions of all fragments that it may move
   };
 
   [[nodiscard]] Result<void> run(Work& work);
@@ -67,18 +65,17 @@ class RegionEditor {
   [[nodiscard]] Result<void> finer(Work& work);
   [[nodiscard]] Result<void> coarser(Work& work);
 
-  /// Before the entry is taken back or done again: regions that this moves as a whole have all their
-  /// fragments of now in its effect.
+  /// Before undo or redo: adds all current fragments to the effect for regions that move completely.
   void takeInNewFragments(const OperationLog::Entry& entry, bool is_undo);
-  /// Before a join is done again: of what held the regions together a fragment may be gone.
+  /// Before redoing a join: adds must-links between regions whose constrained fragments no longer exist.
   void holdTogether(const OperationLog::Entry& entry);
   [[nodiscard]] bool exists(RegionId region) const { return !table_.fragmentsOf(region).empty(); }
   void remember(RegionId region, Work& work) const;
-  /// Voxels of one region, part of each: fragments that lie in several parts are divided. Result: fragments
-  /// of each part.
+  /// Splits fragments of one region that lie in several parts. `part`: the part of each voxel. Returns the
+  /// fragments of each part.
   [[nodiscard]] std::vector<Fragments> divideVoxels(RegionId region, const SurfaceGraph& graph,
                                                     std::span<const std::uint32_t> part, std::size_t parts);
-  /// The parts of one region are regions now, and stay so.
+  /// Makes the parts of one region separate regions, with constraints.
   void divide(Work& work, const std::vector<Fragments>& parts);
   void keepApart(Work& work, const Fragments& one, const Fragments& other);
   void say(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint);

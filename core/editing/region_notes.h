@@ -6,23 +6,23 @@
 
 namespace scantrove {
 
-/// What a person said of a region.
+/// A person's labels of a region.
 struct RegionNote {
   std::string name, category;
   bool background = false;
-  bool object = false;    ///< it is one, whole or not
-  bool rejected = false;  ///< it is none
+  bool object = false;    ///< marked as an object, complete or not
+  bool rejected = false;  ///< marked as no object
 
   bool operator==(const RegionNote&) const = default;
 };
 
-/// What was said of each region. A region that is no more keeps its note: it may come back by an undo. One
-/// thread.
+/// The notes of all regions. A region that no longer exists keeps its note, because an undo may restore it.
+/// One thread.
 class RegionNotes {
  public:
-  /// An empty note where nothing was said.
+  /// The region's note, or an empty one.
   [[nodiscard]] const RegionNote& of(RegionId region) const;
-  /// An empty note takes everything back.
+  /// An empty note removes the region's entry.
   void set(RegionId region, const RegionNote& note);
   [[nodiscard]] const std::map<RegionId, RegionNote>& all() const { return notes_; }
 

@@ -26,7 +26,7 @@ struct SurfaceGraph {
   std::vector<SurfaceVoxel> voxels;
   std::vector<Edge> edges;  ///< by a, then b
 
-  /// In the order of `voxels`, which are all different.
+  /// Builds the graph in the order of `voxels`, which must be unique.
   [[nodiscard]] static SurfaceGraph of(std::vector<SurfaceVoxel> voxels);
 
   /// Voxels within `radius_m` of a place in the world, or else the nearest one.
@@ -34,7 +34,7 @@ struct SurfaceGraph {
                                                   float radius_m) const;
 };
 
-/// How far an edge turns, in radians, for small turns: of a fold all of it, of a ridge much less.
+/// The turn across an edge in radians, for small turns: full for a fold, much less for a ridge.
 [[nodiscard]] float turnOf(const SurfaceGraph::Edge& edge);
 
 }  // namespace scantrove

@@ -26,9 +26,9 @@ inline constexpr std::array<CubeEdge, 12> kCubeEdges{{{{0, 0, 0}, 0},
                                                       {{1, 1, 0}, 2},
                                                       {{0, 1, 0}, 2}}};
 
-/// Triangles between the corners outside (bit i: corner i) and those inside: numbers of the edges that their
-/// vertices lie on, three a triangle, counter-clockwise seen from outside. What two neighbouring cubes make
-/// of the face between them fits together.
+/// Triangles between the corners outside (bit i: corner i) and those inside: the edge numbers of their
+/// vertices, three per triangle, counter-clockwise seen from outside. Triangles of neighbouring cubes match
+/// at the common face.
 [[nodiscard]] std::span<const int> trianglesOfCube(unsigned outside);
 
 }  // namespace scantrove

@@ -6,21 +6,20 @@
 
 namespace scantrove {
 
-/// Pages of a map on the host. The last ones that were asked for are kept: about 50 MB. The map stays as it
-/// is meanwhile. The thread of the map's context.
+/// Pages of a map on the host, with a cache of the last ones (about 50 MB). The map must not change
+/// meanwhile. The thread of the map's context.
 class PageReader {
  public:
   explicit PageReader(BrickMap& map) : map_(map) {}
 
-  /// What a page holds, valid until the next call; without bricks where it cannot be read
-  /// (BrickMap::takeFailure).
+  /// A page, valid until the next call; without bricks if it cannot be read (BrickMap::takeFailure).
   [[nodiscard]] const StoredPage& page(int index);
 
   [[nodiscard]] const BrickMap& map() const { return map_; }
 
  private:
   BrickMap& map_;
-  std::list<std::pair<int, StoredPage>> stored_;  ///< last asked for first
+  std::list<std::pair<int, StoredPage>> stored_;  ///< most recently used first
   std::size_t kept_bricks_ = 0;
 };
 

@@ -8,15 +8,15 @@
 
 namespace scantrove {
 
-/// The surface of a map as triangles. Neighbours share their vertices; every edge belongs to two triangles,
-/// or to one where what lies beyond was not seen.
+/// The surface of a map as triangles. Neighbours share vertices; every edge belongs to two triangles, or to
+/// one at the border of the seen surface.
 struct SurfaceMesh {
   struct Vertex {
     Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< world, metres
     Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();   ///< unit, out of the surface
     std::array<std::uint8_t, 3> color{};                 ///< red, green, blue
-    bool has_color = false;                              ///< false: not seen in colour, nor what is around it
-    FragmentId fragment;                                 ///< 0: not labelled, nor what is around it
+    bool has_color = false;                              ///< false: no colour here or around
+    FragmentId fragment;                                 ///< 0: no label here or around
 
     bool operator==(const Vertex&) const = default;
   };

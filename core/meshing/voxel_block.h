@@ -15,8 +15,8 @@ namespace scantrove {
 
 struct BrickContents;
 
-/// The voxels of one page of bricks on the host, with a margin of those of the pages around it, so that
-/// whoever works on the page need not know where it ends. What does not exist is as if never seen.
+/// The voxels of one page of bricks on the host, with a margin from the adjacent pages, so that processing a
+/// page needs no tests at its border. Missing voxels count as unseen.
 class VoxelBlock {
  public:
   static constexpr int kPageVoxels = PAGE_SIDE * BRICK_SIDE;
@@ -26,7 +26,7 @@ class VoxelBlock {
 
   VoxelBlock();
 
-  /// Makes the block that of a page.
+  /// Loads a page with its margin.
   void load(PageReader& reader, int page);
 
   /// Bricks of the page itself, by local index.
@@ -34,12 +34,12 @@ class VoxelBlock {
   /// Position of the page's first voxel.
   [[nodiscard]] const Eigen::Vector3i& firstVoxel() const { return first_voxel_; }
 
-  /// Place of a voxel, counted from the page's first, in [-kMargin, kPageVoxels + kMargin].
+  /// Index of a voxel; `local` counts from the page's first, in [-kMargin, kPageVoxels + kMargin].
   [[nodiscard]] static std::size_t at(const Eigen::Vector3i& local) {
     const Eigen::Matrix<std::size_t, 3, 1> p = (local.array() + kMargin).cast<std::size_t>();
     return p.x() + kSide * (p.y() + kSide * p.z());
   }
-  /// How far apart neighbours along an axis are.
+  /// Index distances of neighbours along each axis.
   static constexpr std::array<std::ptrdiff_t, 3> kSteps{1, kSide, std::ptrdiff_t{kSide} * kSide};
 
   [[nodiscard]] int distance(std::size_t i) const { return distances_[i]; }      ///< brick_layout.h
@@ -49,8 +49,8 @@ class VoxelBlock {
   [[nodiscard]] bool hasColors() const { return has_colors_; }                   ///< any at all
 
  private:
-  /// Copies what of a brick lies in the block. `first`: its first voxel, counted from the page's; `number`:
-  /// of the brick in `held`.
+  /// Copies the part of a brick inside the block. `first`: its first voxel, relative to the page's; `number`:
+  /// index of the brick in `held`.
   void copyBrick(const BrickContents& held, std::size_t number, const Eigen::Vector3i& first);
 
   std::vector<cl_short> distances_;

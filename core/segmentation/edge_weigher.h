@@ -22,8 +22,8 @@ class EdgeWeigher {
  public:
   [[nodiscard]] static Result<EdgeWeigher> create(ComputeContext& compute);
 
-  /// Replaces `edges` by the weights between the vertices of `surface` with `normals` (as
-  /// SurfaceMaps::normals_world, or refined); keeps buffers of device and host between frames of one size.
+  /// Sets `edges` to the weights between the vertices of `surface` with `normals`
+  /// (SurfaceMaps::normals_world, or refined). Keeps buffers of device and host between frames of one size.
   void weigh(const SurfaceMaps& surface, const Buffer<cl_float4>& normals, const SegmentationParams& params,
              EdgeKeys& edges);
 

@@ -16,7 +16,7 @@ class GraphPartition {
   void reset(std::size_t node_count, float k);
 
   /// Tries to join across an edge; edges must come in increasing weight. Returns false if the predicate
-  /// rejected it (its ends lie in different components, now).
+  /// rejects the edge; its ends are then in different components.
   bool join(std::uint32_t a, std::uint32_t b, float weight) {
     std::uint32_t root_a = find(a);
     std::uint32_t root_b = find(b);
@@ -60,14 +60,14 @@ class GraphPartition {
     winner.limit = weight + k_ / static_cast<float>(winner.size);
   }
 
-  // Apart, so that the parents, which are asked for all the time, stay in the cache.
+  // Separate arrays, so that the frequently read parents stay in the cache.
   std::vector<std::uint32_t> parents_;
-  std::vector<Root> roots_;  ///< by node; of those that are none what they once were
+  std::vector<Root> roots_;  ///< by node; outdated for nodes that are no longer roots
   float k_ = 0;
 };
 
-/// Sorts the edges 0 .. keys.size() - 1 by their 16-bit keys, ties by number, into `order`; those of
-/// kEdgeNever are left out. A counting sort: O(edges + keys). `counts` is working memory.
+/// Sorts the edges 0 .. keys.size() - 1 by their 16-bit keys, ties by number, into `order`. Omits edges with
+/// kEdgeNever. A counting sort: O(edges + keys). `counts` is working memory.
 void sortEdges(std::span<const std::uint16_t> keys, std::vector<std::uint32_t>& counts,
                std::vector<std::uint32_t>& order);
 

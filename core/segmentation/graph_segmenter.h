@@ -26,8 +26,8 @@ class GraphSegmenter {
     return partition(params);
   }
 
-  /// The two steps of segment(). First the device's; then the host's, which another thread may do while the
-  /// device does something else.
+  /// The two steps of segment(): weigh() on the device, then partition() on the host, which may run in
+  /// another thread.
   void weigh(const SurfaceMaps& surface, const SegmentationParams& params);
   [[nodiscard]] SegmentMap partition(const SegmentationParams& params);
 

@@ -7,9 +7,9 @@
 namespace scantrove {
 
 /// Launches refine_normals: normals for segmentation from the vertices of V_t alone, smooth on flat and
-/// convex surface, sharp where it is concave. N_t itself comes from differences over two voxels, which rounds
-/// off the crease between an object and its table (measured on single frames: mean best IoU 0.60 - 0.65 with
-/// N_t, 0.76 with these). One thread, the context's; may throw cl::Error.
+/// convex surface, sharp on concave surface. N_t itself comes from differences over two voxels, which rounds
+/// off the crease between an object and its table. Measured on single frames: mean best IoU 0.60 - 0.65 with
+/// N_t, 0.76 with these. The context's thread; may throw cl::Error.
 class NormalRefiner {
  public:
   [[nodiscard]] static Result<NormalRefiner> create(ComputeContext& compute);

@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// A depth image of the same view at the resolution that is wanted.
+/// A depth image of the same view at the target resolution.
 struct DepthGuide {
   int width = 0;
   int height = 0;
@@ -13,10 +13,10 @@ struct DepthGuide {
   float meters_per_unit = 0.001F;
 };
 
-/// Brings images of ids (segments, or regions of the same frame) to the resolution of a depth image. A pixel
-/// with a reading takes the id of that pixel with a surface, at most 3 around its nearest, which is closest
-/// in image and depth together: outlines follow the depth image, and the surface that the map misses along
-/// depth edges is given back. Pixels without reading take the nearest.
+/// Upsamples images of ids (segments or regions of one frame) to the resolution of a depth image. A pixel
+/// with a reading takes the id of the closest surface pixel in image and depth together, up to 3 pixels from
+/// its nearest one. So outlines follow the depth image, and surface missing from the map along depth edges
+/// gets ids. Pixels without reading take the nearest id.
 class DepthUpsampler {
  public:
   /// `depths_m`: width * height, row by row, 0 = no surface. It and the guide's image outlive the upsampler.
@@ -32,13 +32,13 @@ class DepthUpsampler {
 
  private:
   static constexpr std::int32_t kNone = -1;
-  /// A pixel around the nearest one. The exact place lies up to half a pixel off the nearest in x and y.
+  /// A pixel around the nearest one. The exact position is up to half a pixel off the nearest in x and y.
   struct Offset {
     int x, y;
-    float least_distance_px;  // from the exact place
+    float least_distance_px;  // from the exact position
   };
   [[nodiscard]] static std::vector<Offset> searchOrder();
-  /// The closest of the pixels that `is_usable(pixel)` for pixel (u, v) of the guide, or kNone.
+  /// The closest pixel with `is_usable(pixel)` for pixel (u, v) of the guide, or kNone.
   template <class Usable>
   [[nodiscard]] std::int32_t closest(int u, int v, const Usable& is_usable) const;
 
