@@ -10,7 +10,7 @@
 namespace scantrove {
 namespace {
 
-/// Colours and their changes by how far along a way through the regions they are.
+/// Colours and their changes by position along an axis through the regions.
 class Way {
  public:
   /// `place`: -1 .. 1, from end to end.
@@ -23,8 +23,8 @@ class Way {
     ++pixels_;
   }
   [[nodiscard]] ColorChange sharpest() const {
-    constexpr int kEnds = 8;     // within an eighth of the pixels from an end it parts off a rim only
-    constexpr int kMinPart = 3;  // of the usual pixels of a strip: of fewer the mean says little
+    constexpr int kEnds = 8;     // a line within an eighth of the pixels from an end cuts off only a rim
+    constexpr int kMinPart = 3;  // of the usual pixels of a strip; means of fewer are noise
     ColorChange change;
     std::optional<std::size_t> at;
     int before = 0;
@@ -49,7 +49,7 @@ class Way {
   }
 
  private:
-  static constexpr std::size_t kStrips = 24;  // fine enough to place a change, coarse enough to fill
+  static constexpr std::size_t kStrips = 24;  // fine enough to locate a change, coarse enough to fill
   struct Strip {
     ColorHistogram colors;
     float contrast = 0;  // sum
@@ -65,7 +65,7 @@ ColorChanges colorChangesOf(const SetPixels& pixels, const SetAxes& axes, const 
   SCANTROVE_CHECK(!input.color_lab.empty());
   const Eigen::Vector2i reach_px =
       (axes.longer() * static_cast<float>(colorReach(input.view.K.width))).array().round().cast<int>();
-  // Near the outline there is nothing inside to compare.
+  // Near the outline there are no inner pixels to compare.
   const auto contrastAt = [&](int u, int v, int du, int dv) {
     if (!pixels.contains(u + du, v + dv) || !pixels.contains(u - du, v - dv)) return 0.0F;
     return colorContrast(input.color_lab[pixels.at(u - du, v - dv)],
@@ -73,7 +73,7 @@ ColorChanges colorChangesOf(const SetPixels& pixels, const SetAxes& axes, const 
   };
   Way along, across;
   pixels.forEach([&](int u, int v) {
-    if ((u + v) % 2 != 0) return;  // every other pixel says as much
+    if ((u + v) % 2 != 0) return;  // every other pixel suffices
     const Eigen::Vector2f place = axes(u, v);
     const Eigen::Vector3f& lab = input.color_lab[pixels.at(u, v)];
     along.add(place.x(), lab, contrastAt(u, v, reach_px.x(), reach_px.y()));

@@ -10,7 +10,7 @@ namespace scantrove {
 namespace {
 
 constexpr float kOtherSize = 0.3F;        // the diagonal differs by this part
-constexpr float kObservationMemory = 30;  // means follow the last so many
+constexpr float kObservationMemory = 30;  // observations in the running means
 constexpr int kObservationsToDiffer = 3;  // in a row
 
 }  // namespace

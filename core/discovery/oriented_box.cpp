@@ -18,9 +18,9 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kMaxPoints = 4096;  // evenly chosen; more do not change the box
-constexpr double kStrayFraction = 0.01;   // at each end: readings mixed at edges
+constexpr double kStrayFraction = 0.01;   // at each end: mixed readings at edges
 
-/// Length of [1 %, 99 %] of the values; reorders them.
+/// Length of the range from 1 % to 99 % of the values; reorders them.
 float robustExtent(std::vector<float>& values) {
   const auto stray = static_cast<std::ptrdiff_t>(kStrayFraction * static_cast<double>(values.size()));
   const auto low = values.begin() + stray, high = values.end() - 1 - stray;
@@ -51,7 +51,7 @@ OrientedBox fitOnce(const pcl::PointCloud<pcl::PointXYZ>& cloud) {
   return box;
 }
 
-/// Without the points that lie a whole box away from the mean: they turn the axes.
+/// Removes points farther than a box length from the mean, which would turn the axes.
 pcl::PointCloud<pcl::PointXYZ> withoutStray(const pcl::PointCloud<pcl::PointXYZ>& cloud,
                                             const OrientedBox& box) {
   pcl::PointCloud<pcl::PointXYZ> near;

@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-constexpr float kUsualContrast = 0.4F;  // where the image has no colour
+constexpr float kUsualContrast = 0.4F;  // without colour
 
 class Bounds {
  public:
@@ -17,9 +17,9 @@ class Bounds {
     sum_ += how_clearly;
     ++steps_;
   }
-  /// With a few steps that say neither.
+  /// Mean with kUnknown neutral steps.
   [[nodiscard]] float mean() const {
-    constexpr float kUnknown = 3;  // so few steps leave a side half bounded
+    constexpr float kUnknown = 3;  // keeps a side with few steps half bounded
     return (sum_ + kUnknown / 2) / (static_cast<float>(steps_) + kUnknown);
   }
 

@@ -8,8 +8,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kMinStep_m = 0.005F;      // up to 1.2 m; beyond it grows as the sensor's noise does
-constexpr float kStepGrowsFrom_m = 1.2F;  // from there on noise exceeds a voxel
+constexpr float kMinStep_m = 0.005F;      // up to 1.2 m; beyond, it grows with the sensor's noise
+constexpr float kStepGrowsFrom_m = 1.2F;  // beyond, noise exceeds a voxel
 
 }  // namespace
 
@@ -54,7 +54,7 @@ OutlineEnd OutlineStepJudge::judge(int u, int v, int du, int dv) const {
 
 OutlineEnd OutlineStepJudge::judgeContact(int u, int v, int du, int dv, float z) const {
   const RegionId inner = regionAt(u, v), outer = regionAt(u + kBeyondEdge_px * du, v + kBeyondEdge_px * dv);
-  // As far off the border as both go on.
+  // As far off the border as both surfaces continue.
   int back = kBendReach_px, on = kBendReach_px + 1;
   while (back > 0 &&
          (!isInside(u - back * du, v - back * dv) || regionAt(u - back * du, v - back * dv) != inner ||
@@ -72,7 +72,7 @@ OutlineEnd OutlineStepJudge::judgeContact(int u, int v, int du, int dv, float z)
   const float bend_rad = bendBetween(n_a, n_b, across);
   if (bend_rad < -kClearBend_rad) return &OutlineSteps::ridged;
   if (bend_rad > kClearBend_rad) return &OutlineSteps::folded;
-  // Two surfaces that face one way: on one level, or one above the other.
+  // Two surfaces with the same orientation: on one level, or one above the other.
   const float grown = std::max(1.0F, z / kStepGrowsFrom_m);
   const float rise_m = across.dot((n_a + n_b).head<3>()) / 2;
   if (rise_m < -kMinStep_m * grown * grown) return &OutlineSteps::open;

@@ -17,14 +17,13 @@
 namespace scantrove {
 namespace {
 
-/// Pixels are looked at in steps of so many, of 320 x 240: an end may be missed by so much less than
-/// kSlack_m.
+/// Step between sampled pixels, in an image of 320 x 240. The error at an end stays well below kSlack_m.
 constexpr int kStep_px = 2;
-/// Ends so near to each other are one: surfaces are noisy, and labels waver along outlines.
+/// Ends within this distance are equal: surfaces are noisy, and labels vary along outlines.
 constexpr float kSlack_m = 0.015F;
-/// And the image goes on behind an end by so much more.
+/// The image must continue behind an end by this much more.
 constexpr int kMargin_px = 2;
-/// What was too large is looked at again after so many frames: it may have parted.
+/// A region that was too large is measured again after this many frames, because it may have split.
 constexpr int kRecheckFrames = 60;
 
 std::array<Eigen::Vector3f, ReachHistory::kAxes> makeAxes() {
@@ -32,7 +31,7 @@ std::array<Eigen::Vector3f, ReachHistory::kAxes> makeAxes() {
   std::size_t count = 0;
   for (int i = 0; i < 27; ++i) {
     const Eigen::Vector3i at(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    // Of two that are opposite the one whose last coordinate that is not 0 is positive.
+    // Of two opposite directions, the one with a positive last non-zero coordinate.
     const int sign = at.z() != 0 ? at.z() : (at.y() != 0 ? at.y() : at.x());
     if (sign > 0) axes[count++] = at.cast<float>().normalized();
   }
@@ -47,22 +46,22 @@ const std::array<Eigen::Vector3f, ReachHistory::kAxes>& axes() {
 
 using Widths = Eigen::Matrix<float, static_cast<int>(ReachHistory::kAxes), 1>;
 
-/// The sides of a box of known directions, and how far it is from having the widths that were asked for.
+/// The sides of a box with known directions, and the error of its widths.
 struct FittedSides {
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
   float misfit_m = 0;
 };
 
-/// `directions`: columns of a rotation. Sides along directions that were measured are as measured.
+/// `directions`: columns of a rotation. Sides along measured directions keep the measured length.
 FittedSides sidesAlong(const Eigen::Matrix3f& directions, const Widths& widths) {
-  // A box is as wide along d as its sides, each times the cosine of its angle to d, together.
+  // The width of a box along d is the sum of its sides, each times the cosine of its angle to d.
   Eigen::Matrix<float, static_cast<int>(ReachHistory::kAxes), 3> cosines;
   for (std::size_t axis = 0; axis < ReachHistory::kAxes; ++axis)
     cosines.row(static_cast<Eigen::Index>(axis)) =
         (directions.transpose() * axes()[axis]).cwiseAbs().transpose();
   FittedSides sides;
   sides.size_m = cosines.colPivHouseholderQr().solve(widths).cwiseMax(0.0F);
-  constexpr float kSame = 1 - 1e-5F;  // cosine of parallel directions, but for rounding
+  constexpr float kSame = 1 - 1e-5F;  // cosine of parallel directions, less rounding
   for (Eigen::Index side = 0; side < 3; ++side) {
     Eigen::Index measured = 0;
     if (cosines.col(side).maxCoeff(&measured) > kSame) sides.size_m[side] = widths[measured];
@@ -71,7 +70,7 @@ FittedSides sidesAlong(const Eigen::Matrix3f& directions, const Widths& widths) 
   return sides;
 }
 
-/// Says which points lie so far from the border that what ends there ends.
+/// Tells which points are far enough from the border to be true ends.
 class Interior {
  public:
   Interior(const DiscoveryInput& input, const cv::Rect& visible_px)
@@ -80,7 +79,7 @@ class Interior {
         depth_(input.view.T_world_camera) {}
   [[nodiscard]] bool holds(int u, int v, const Eigen::Vector4f& vertex) const {
     const float z = depth_(vertex);
-    constexpr float kNearest_m = 0.1F;  // no camera has depth nearer than that
+    constexpr float kNearest_m = 0.1F;  // no camera measures nearer depth
     const int margin = kMargin_px + static_cast<int>(std::ceil(slack_px_m_ / std::max(z, kNearest_m)));
     return u - visible_px_.x >= margin && v - visible_px_.y >= margin && visible_px_.br().x - u > margin &&
            visible_px_.br().y - v > margin;
@@ -94,7 +93,7 @@ class Interior {
 
 }  // namespace
 
-/// How far a region reaches in one frame: all of it, and what of it is off the border.
+/// The reach of a region in one frame: of all of it, and of its part off the border.
 struct ReachHistory::Seen {
   std::array<float, 2 * kAxes> all, inside;
   Seen() {
@@ -123,7 +122,7 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
   std::unordered_map<RegionId, Seen> seen;
   const Interior interior(input, visible_px);
   RegionId last;
-  Seen* of_last = nullptr;  // null: nobody wants to know
+  Seen* of_last = nullptr;  // null: not needed
   const int step_px = kStep_px * stepOfMeans(input.view.K.width);
   for (int v = 0; v < input.view.K.height; v += step_px) {
     for (int u = 0; u < input.view.K.width; u += step_px) {
@@ -187,7 +186,7 @@ Eigen::Vector3f ReachHistory::sizeOf(RegionId region, const Eigen::Matrix3f& axe
         found->second.ends[2 * axis].far_m + found->second.ends[2 * axis + 1].far_m;
   FittedSides best = sidesAlong(Eigen::Matrix3f::Identity(), widths);
   const auto consider = [&](const Eigen::Matrix3f& turned) {
-    // Extents waver by the slack: who fits but a little better does not fit better.
+    // Extents vary by the slack, so a slightly better fit does not count.
     if (const FittedSides other = sidesAlong(turned, widths); other.misfit_m < best.misfit_m - kSlack_m)
       best = other;
   };

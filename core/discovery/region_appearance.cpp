@@ -11,8 +11,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kThinnest_m = 0.02F;   ///< what a flat thing is taken for: its noise says nothing
-constexpr float kColorUnknown = 0.5F;  ///< of what size says, where one has colour and the other none
+constexpr float kThinnest_m = 0.02F;   ///< assumed for flat objects, whose measured thickness is noise
+constexpr float kColorUnknown = 0.5F;  ///< factor on the size's likeness if only one has colour
 
 }  // namespace
 

@@ -31,7 +31,7 @@ cv::Mat maskOf(const RegionHypothesis& hypothesis, const DiscoveryInput& input) 
   return mask;
 }
 
-/// Most of what is masked came into the scene.
+/// True if most masked pixels belong to appeared objects.
 bool hasAppeared(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInput& input) {
   if (input.appeared.empty()) return false;
   int all = 0, appeared = 0;
@@ -46,7 +46,7 @@ bool hasAppeared(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInp
   return 2 * appeared > all;
 }
 
-/// Where the box has it.
+/// The candidate's place, from the box.
 void place(const OrientedBox& box, const DiscoveryInput& input, Candidate& candidate) {
   candidate.centroid_world = box.mean;
   candidate.centroid_camera = (input.view.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();

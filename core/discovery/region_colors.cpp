@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kUsualWidth = 320, kUsualReach_px = 5;  // past the blurred pixels of an edge
 constexpr int kMinNear = 8;                           // pixels of a neighbour within reach
-constexpr float kTouches_m = 0.06F;  // nearer to the middle depth than that; grows with the distance
+constexpr float kTouches_m = 0.06F;                   // from the mean depth; grows with the distance
 
 }  // namespace
 
@@ -92,7 +92,7 @@ void RegionColors::compareHalves(const RegionSet& regions, const RegionExtent& e
   const SetAxes axes(pixels, extent);
   std::array<ColorHistogram, 2> along, across;
   pixels.forEach([&](int u, int v) {
-    if ((u + v) % 2 != 0) return;  // every other pixel says as much
+    if ((u + v) % 2 != 0) return;  // every other pixel suffices
     const Eigen::Vector2f place = axes(u, v);
     const Eigen::Vector3f& lab = input_.color_lab[pixels.at(u, v)];
     along[place.x() > 0 ? 1 : 0].add(lab);

@@ -11,11 +11,11 @@ namespace scantrove {
 namespace {
 
 constexpr float kMinContactPart = 0.1F;  // of the outline of one of them
-constexpr float kMinRimPart = 0.2F;      // of a hollow's outline
+constexpr float kMinRimPart = 0.2F;      // of a concave region's outline
 
-/// The outside of a thing is about as wide as its inside, at least; what stands in a plate is not.
+/// An object's outside is about as wide as its inside, or wider; an object standing in a plate is not.
 bool couldHold(const RegionExtent& outside, const RegionExtent& hollow) {
-  constexpr float kWider = 1.2F;  // noise, and a rim that is seen aslant
+  constexpr float kWider = 1.2F;  // noise, and a rim seen at an angle
   const auto longest = [](const cv::Rect& box) {
     return static_cast<float>(std::max(box.width, box.height));
   };
@@ -32,7 +32,7 @@ void include(const RegionExtent& other, RegionExtent& extent) {
   extent.sum_vv += other.sum_vv;
 }
 
-/// Which regions could be one thing with which.
+/// The pairs of regions that could be one object.
 class Neighborhood {
  public:
   struct Neighbor {
@@ -60,7 +60,7 @@ class Neighborhood {
         const bool is_rim = is_a_in_b || is_b_in_a;
         if (!(is_rim || isContact(a, b) || isContact(b, a))) continue;
         float odds = input.joining_odds(a, b);
-        if (is_rim) odds = std::max(odds, -kNearOdds);  // over it nothing is seen to touch
+        if (is_rim) odds = std::max(odds, -kNearOdds);  // no contact is visible over a rim
         if (!(odds >= -kNearOdds)) continue;
         neighbors_[a].push_back({b, odds});
         neighbors_[b].push_back({a, odds});
@@ -91,7 +91,7 @@ class Neighborhood {
   [[nodiscard]] float lengthOf(RegionId region) const {
     return static_cast<float>(outlines_.of({region}).known());
   }
-  /// It is the inside of that which it meets along the longest rim.
+  /// A concave region is the inside of the region with the longest common rim.
   void noteInside(RegionId hollow, RegionId outside) {
     const auto [inside, is_first] = insides_.try_emplace(hollow, outside);
     if (!is_first &&
@@ -101,7 +101,7 @@ class Neighborhood {
 
   const RegionOutlines& outlines_;
   std::map<RegionId, std::vector<Neighbor>> neighbors_;
-  std::map<RegionId, RegionId> insides_;  // hollows, and what they are the inside of
+  std::map<RegionId, RegionId> insides_;  // concave regions, and their outsides
 };
 
 }  // namespace
@@ -113,7 +113,7 @@ std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> re
   for (const RegionExtent& extent : regions)
     hypotheses.push_back({{extent.region}, extent, visibleArea(extent, input)});
   const Neighborhood neighborhood(regions, outlines, input, params);
-  // Sets of one region more are made of those that there are, each once.
+  // Extends the existing sets by one region, each result once.
   std::set<RegionSet> known;
   for (std::size_t i = 0; i < hypotheses.size() && hypotheses.size() < regions.size() + kMaxSets; ++i) {
     if (hypotheses[i].regions.size() == kMaxRegions) break;

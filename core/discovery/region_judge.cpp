@@ -18,14 +18,14 @@
 namespace scantrove {
 namespace {
 
-/// Of DiscoveryParams::max_size_m: all that is known of a thing measures more than one look at it.
+/// Factor on DiscoveryParams::max_size_m: all known points of an object extend farther than one observation.
 constexpr float kLargestPart = 8.0F / 7;
-constexpr float kMinPixels = 240;      // of a reference image: of fewer nothing can be said ...
-constexpr float kMinPartPixels = 120;  // ... and of fewer still not that they are a part of something
-/// The objectness model counts pixels of 320 x 240: so many of a reference image are one of these.
+constexpr float kMinPixels = 240;      // of a reference image; fewer are not judged ...
+constexpr float kMinPartPixels = 120;  // ... and with fewer than this, not even as parts of sets
+/// Pixels of a reference image per pixel of 320 x 240, in which the objectness model counts.
 constexpr float kPixelsOfModel = 4;
-/// What a look has no room for, and what was never seen, is not judged by it.
-constexpr float kMinShown = 0.45F;                  // of all that is known of it
+/// Limits for judging an observation: the object must be mostly in view and its outline known.
+constexpr float kMinShown = 0.45F;                  // of its known points
 constexpr float kMaxCut = 0.5F, kMaxUnseen = 0.3F;  // of the outline
 
 bool isInView(const OutlineSteps& outline) {
@@ -34,7 +34,7 @@ bool isInView(const OutlineSteps& outline) {
 }
 
 bool isCutOff(const ObjectnessEvidence& evidence) {
-  constexpr float kShown = 0.8F, kCut = 0.3F;  // more shown and less cut: the image has nearly all of it
+  constexpr float kShown = 0.8F, kCut = 0.3F;  // beyond both, the image shows nearly all of it
   return evidence.shown < kShown || evidence.cut > kCut;
 }
 
@@ -46,7 +46,7 @@ void forEachInParallel(std::size_t count, const Work& work) {
   });
 }
 
-/// What the image shows of it.
+/// The evidence of the image.
 ObjectnessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
                           const DiscoveryInput& input) {
   const RegionExtent& extent = hypothesis.extent;
@@ -147,7 +147,7 @@ std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {
   forEachInParallel(judged.size(), [&](std::size_t i) {
     const auto& [hypothesis, evidence] = judged[i];
     const bool is_cut_off = isCutOff(evidence);
-    // What is seen of a thing that is cut off does not say how large it is.
+    // The visible part of a cut-off object does not show its size.
     const OrientedBox box =
         is_cut_off ? shapes_.at(hypothesis.regions).box
                    : fitOrientedBox(pointsOf(hypothesis.regions, hypothesis.extent.box_px, input));

@@ -10,15 +10,16 @@
 namespace scantrove {
 namespace {
 
-/// Of z, across a pixel and its neighbours: more is a step. A surface has as much at 83 degrees.
+/// Relative depth difference across a pixel and its neighbours that makes a step. A surface seen at 83
+/// degrees has as much.
 constexpr float kStep = 0.06F;
-/// A piece with less of the largest one's pixels was spilled.
+/// A component with less than 1 / kPartOfLargest of the largest one's pixels is spill.
 constexpr int kPartOfLargest = 10;
-/// With less of its pixels what is left is not the thing, but the little of it that is not thin.
+/// If less than 1 / kMinPart of the pixels remains, the object itself is thin, and nothing is removed.
 constexpr int kMinPart = 2;
 
-/// Of the pixels in `mask` those of its larger pieces, and what does not lie behind these: what is 2 pixels
-/// wide or less, or only hangs together across a step in depth, joins nothing.
+/// Keeps the larger components of `mask` and those not behind them. Parts at most 2 pixels wide, and depth
+/// steps, do not connect.
 cv::Mat bodyOf(const cv::Mat& mask, const cv::Mat1f& z_m) {
   cv::Mat nearest, farthest;
   cv::erode(z_m, nearest, {});
@@ -38,14 +39,14 @@ cv::Mat bodyOf(const cv::Mat& mask, const cv::Mat1f& z_m) {
   cv::dilate(inside, body, {});
   body &= mask;
   if (kMinPart * cv::countNonZero(body) < cv::countNonZero(mask)) return mask;
-  // What is spilled lies behind; a handle does not.
+  // Spill lies behind the object; a handle does not.
   double farthest_of_body = 0;
   cv::minMaxLoc(z_m, nullptr, &farthest_of_body, nullptr, nullptr, body);
   return body | (mask & (z_m <= farthest_of_body));
 }
 
-/// Calls `use` with each pixel of the regions that shows a surface, and its place in the box; or with those
-/// of every `step`-th row and column.
+/// Calls `use` with each pixel of the regions with a surface and its place in the box, in every `step`-th row
+/// and column.
 template <class Use>
 void forEachPixel(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use,
                   int step = 1) {

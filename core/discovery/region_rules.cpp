@@ -13,7 +13,7 @@ cv::Rect visibleFrame(const RegionCensus& census, int width, int height, const D
   };
   const int strip_u = stripOf(width), strip_v = stripOf(height);
   const cv::Rect& seen = census.labeled_px;
-  // A gap wider than a strip is no strip: the image's own edge holds there.
+  // A wider gap is not a strip; the image's own edge counts there.
   const auto inset = [](int gap, int strip) { return gap <= strip ? gap : 0; };
   const int left = inset(seen.x, strip_u), right = inset(width - seen.br().x, strip_u);
   const int top = inset(seen.y, strip_v), bottom = inset(height - seen.br().y, strip_v);

@@ -5,9 +5,9 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kMaxPoints = 512;  // of a region: enough for box and bulge, evenly chosen
+constexpr std::size_t kMaxPoints = 512;  // per region, evenly chosen: enough for box and bulge
 
-/// Every second of them.
+/// Keeps every second one.
 template <class T>
 void thinOut(std::vector<T>& all) {
   for (std::size_t i = 0; 2 * i < all.size(); ++i) all[i] = all[2 * i];
@@ -30,7 +30,7 @@ void RegionSamples::add(RegionId region, const Eigen::Vector3f& point_world,
 }
 
 RegionSamples::Shape RegionSamples::shapeOf(const RegionSet& regions) const {
-  // Of each region as many points as its size asks for.
+  // Points of each region in proportion to its size.
   std::size_t step = 1;
   std::vector<const Sample*> parts;
   for (const RegionId region : regions) {

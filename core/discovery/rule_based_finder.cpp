@@ -16,11 +16,11 @@
 namespace scantrove {
 namespace {
 
-/// A set is one way to see its regions only where its outline is not clearly worse than theirs.
+/// A set is a candidate only if its outline is not clearly worse than that of its regions.
 constexpr float kOutlineSlack = 0.05F;
-/// Of a thing that the border cuts off so much must be seen, along each axis.
+/// The part of a cut-off object that must be visible along each axis.
 constexpr float kMaxOfThing = 0.6F;
-/// Parts of a set may be smaller than what must be seen of a thing.
+/// Parts of a set may be smaller than the minimum for an object.
 constexpr int kMinPartOfThing = 8;
 
 class RuleBasedFinder final : public CandidateFinder {
@@ -82,7 +82,7 @@ class RuleBasedFinder final : public CandidateFinder {
   }
 
  private:
-  /// Regions that are seen entirely: only their size means anything.
+  /// Regions in full view: only their size counts.
   [[nodiscard]] std::vector<RegionExtent> completeRegions(const RegionCensus& census, const cv::Rect& visible,
                                                           const DiscoveryInput& input) const {
     std::vector<RegionExtent> whole;
@@ -95,7 +95,7 @@ class RuleBasedFinder final : public CandidateFinder {
     return whole;
   }
 
-  /// Regions that the border cuts off, and that earlier frames have seen the rest of.
+  /// Regions that the border cuts off and that earlier frames showed completely.
   [[nodiscard]] std::vector<RegionExtent> cutRegions(const RegionCensus& census, const cv::Rect& visible,
                                                      const DiscoveryInput& input) const {
     std::vector<RegionExtent> cut;
@@ -115,7 +115,7 @@ class RuleBasedFinder final : public CandidateFinder {
     sizes_.add(sightings, params_.persistent_frames);
   }
 
-  /// No clearly worse than that of any of its regions which could be a thing by itself.
+  /// Not clearly worse than the outline of any of its regions that could be an object alone.
   [[nodiscard]] static bool isOutlineKept(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
                                           const RegionOutlines& outlines,
                                           const std::vector<RegionHypothesis>& all) {
@@ -153,7 +153,7 @@ std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& para
 
 std::vector<std::size_t> chooseDisjoint(std::span<const Candidate> candidates, std::span<const float> known) {
   SCANTROVE_CHECK(candidates.size() == known.size());
-  // Where odds are even a set and its regions are equally likely; regions join later than that.
+  // With even odds a set and its regions are equally likely; regions join only at higher odds.
   constexpr float kEvenOdds = -1, kOfOdds = 0.1F, kMaxGain = 0.15F;
   const auto score = [&](std::size_t i) {
     const Candidate& candidate = candidates[i];

@@ -11,11 +11,11 @@
 namespace scantrove {
 namespace {
 
-constexpr int kFarBeyond_px = 4;  // labels and depth are unsure nearer to an outline
-// Lower steps are noise; behind a thing on a table stands the room, however far.
+constexpr int kFarBeyond_px = 4;  // labels and depth are uncertain nearer to an outline
+// Lower steps are noise; higher ones only show how far the room extends behind an object.
 constexpr float kMinRelief_m = 0.02F, kMaxRelief_m = 0.5F;
 
-/// Of all pixels on the hull's edge and inside.
+/// The number of pixels on the hull's edge and inside.
 double pixelsOfHull(const std::vector<cv::Point>& points) {
   std::vector<cv::Point> hull;
   cv::convexHull(points, hull);

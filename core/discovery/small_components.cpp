@@ -5,11 +5,11 @@
 namespace scantrove {
 namespace {
 
-/// Smaller ones are specks, in parts of all pixels of the mask.
+/// Smaller components are removed; as parts of the mask's pixels.
 constexpr double kMinPartOfMask = 0.05;
 constexpr double kMinHoleOfMask = 0.02;
 
-/// Pixels of an image that are not 0, in pieces that are connected; numbers from 1.
+/// The connected components of an image's non-zero pixels, numbered from 1.
 class Pieces {
  public:
   Pieces(const cv::Mat& image, int connectivity) {
@@ -55,7 +55,7 @@ void dropSmallComponents(cv::Mat& mask, cv::Rect& box_px) {
   }
   const Pieces gaps(mask == 0, kOverSides);
   for (int gap = 1; gap <= gaps.count(); ++gap) {
-    // One that touches the edge is outside, not a hole.
+    // A component that touches the edge is outside, not a hole.
     if (!gaps.touchesEdge(gap) && gaps.pixels(gap) < kMinHoleOfMask * all_px) gaps.paint(gap, 255, mask);
   }
   const cv::Rect left = cv::boundingRect(mask);

@@ -13,26 +13,26 @@
 namespace scantrove {
 namespace {
 
-constexpr int kMaxVoxels = 12000;                 // of a thing: 0.4 square metres
-constexpr int kMinOutline = 20, kMinContact = 6;  // steps
-constexpr float kMaxUnseen = 0.35F;               // of the outline: hidden or cut off
-constexpr float kOnlyOne = 0.85F;                 // of what it touches is the other
-constexpr float kNear_m = 0.03F;    // the other's surface is looked at so far from where they touch
-constexpr float kMaxNear_px = 20;   // bounds the cost where the camera is near
-constexpr float kNearest_m = 0.1F;  // no camera has depth nearer than that
-constexpr std::size_t kPlaces = 16, kDirections = 24;  // that are looked at: bounds the cost
-constexpr std::size_t kMinNormals = 6;                 // fewer say nothing of a shape
+constexpr int kMaxVoxels = 12000;                      // of an object: 0.4 square metres
+constexpr int kMinOutline = 20, kMinContact = 6;       // steps
+constexpr float kMaxUnseen = 0.35F;                    // of the outline: hidden or cut off
+constexpr float kOnlyOne = 0.85F;                      // of its contacts are with the other region
+constexpr float kNear_m = 0.03F;                       // reach around the contact on the other's surface
+constexpr float kMaxNear_px = 20;                      // bounds the cost where the camera is near
+constexpr float kNearest_m = 0.1F;                     // no camera measures nearer depth
+constexpr std::size_t kPlaces = 16, kDirections = 24;  // samples: bounds the cost
+constexpr std::size_t kMinNormals = 6;                 // fewer give no shape
 constexpr float kSameDirection = 0.985F;               // cosine of 10 degrees
-// So many of the normals point the same way where the other is curved, and where it is flat.
+// The part of normals with the same direction: at most on a curved surface, at least on a flat one.
 constexpr float kMaxCurved = 0.27F, kMinFlat = 0.33F;
 
-/// A step from a pixel of one region to one of another that it touches.
+/// A step from a pixel of one region to a pixel of a region that it touches.
 struct Touch {
   RegionId from, to;
   std::size_t here, there;
 };
 
-/// How a region ends.
+/// Step counts of a region's outline.
 struct Outline {
   int known = 0, unseen = 0, touching = 0;
   [[nodiscard]] bool isSeen() const {
@@ -40,8 +40,8 @@ struct Outline {
   }
 };
 
-/// How the regions of a frame that are no larger than things end, and what of that kind they touch. What a
-/// step means is as in discovery's RegionOutlines, which knows more kinds of contact.
+/// Outlines and contacts of a frame's regions that are no larger than objects. Steps are classified as in
+/// discovery's RegionOutlines, which has more kinds of contact.
 class FrameOutlines {
  public:
   FrameOutlines(const MergeInput& input, std::span<const RegionId> regions, const RegionTable& table)
@@ -67,8 +67,7 @@ class FrameOutlines {
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   [[nodiscard]] const Outline& of(RegionId region) const { return outlines_.at(region).outline; }
 
-  /// The part of the surface of the region near these places that faces the same way; none where too little
-  /// is seen.
+  /// The part of the region's surface near the contact that faces the same way; none if too little is seen.
   [[nodiscard]] std::optional<float> flatPart(std::span<const Touch> contact) const {
     std::vector<std::size_t> pixels;
     const std::size_t stride = (contact.size() + kPlaces - 1) / kPlaces;
@@ -94,7 +93,7 @@ class FrameOutlines {
     Outline outline;
   };
 
-  /// None of a pixel's neighbours is another region's.
+  /// True if all of the pixel's neighbours belong to its region.
   [[nodiscard]] bool isWithin(int x, int y) const {
     if (x == 0 || y == 0 || x + 1 == K_.width || y + 1 == K_.height) return false;
     const std::size_t here = K_.indexOf(x, y);

@@ -10,33 +10,32 @@ namespace scantrove {
 namespace {
 
 constexpr float kFullLength_px = 16;  // borders this long count fully
-/// Taken off the logarithm of the odds. On scenes that the model was not trained on, 0.884 of the small
-/// objects and 0.865 of the large ones are over half so; with 1 it is 0.883 and 0.871, with 1.5 it is 0.887
-/// and 0.856.
+/// Subtracted from the log-odds. On scenes outside the training set, 0.884 of the small objects and 0.865 of
+/// the large ones are then over half correct; with 1 it is 0.883 and 0.871, with 1.5 it is 0.887 and 0.856.
 constexpr float kCaution = 1.25F;
-constexpr float kMinObservations = 2;  // weighed; before these what is apart stays so, and what is one
+constexpr float kMinObservations = 2;  // weighted; with fewer the partition stays as it is
 constexpr float kHolds = 0.01F;        // any other border outweighs it
-/// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
+/// Observations after which evidence for joining counts half. A wrong join costs more than a missed one.
 constexpr float kHalfSureObservations = 8;
 constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
-/// What it means that two came together or one to the other, once it was seen so often.
+/// Weight of appearing together or apart, reached after kSureAppearance observations.
 constexpr float kAppearanceWeight = 20;
 constexpr float kSureAppearance = 5;
-constexpr float kFirstAppearance = 1;  // so many looks mean nothing yet: one frame may be wrong
-/// What it means that one is held by the other alone, likewise; one look that denies it undoes two.
+constexpr float kFirstAppearance = 1;  // this many observations do not count: one frame may be wrong
+/// Weight of an attachment, reached after kSureAttachment observations.
 constexpr float kAttachment = 20;
-constexpr float kSureAttachment = 12;  // so many looks make it sure
-constexpr float kDenied = 2;           // looks that one denial undoes
-/// So many looks mean nothing yet: once the two are one region, nothing can deny it any more.
+constexpr float kSureAttachment = 12;  // observations until it is certain
+constexpr float kDenied = 2;           // observations that one denial cancels
+/// This many observations do not count, because nothing can deny the attachment once the two are one region.
 constexpr float kFirstAttached = 3;
-constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this a look counts for less than half
+constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this an observation counts less than half
 
 float weightOf(const FragmentContact& contact) {
   const float far = contact.depth_m / kFarFrom_m;
   return std::min(1.0F, static_cast<float>(contact.length_px) / kFullLength_px) / (1 + far * far);
 }
 
-/// One look more that says yes or no; of both together no more than kMaxObservations are remembered.
+/// Adds one observation for yes or no. Their sum is limited to kMaxObservations.
 void count(bool says_yes, float& yes, float& no) {
   (says_yes ? yes : no) += 1;
   const float fade = std::min(1.0F, BorderEvidence::kMaxObservations / (yes + no));

@@ -22,7 +22,7 @@ FragmentColors::FragmentColors(const MergeInput& input, std::span<const Fragment
     ChromaHistogram chromas;
   };
   std::vector<Sum> sums;
-  std::size_t place = 0;  // most pixels are of the same fragment as the one before
+  std::size_t place = 0;  // most pixels have the fragment of the previous one
   FragmentId last;
   for (std::size_t pixel = 0; pixel < parts.size(); ++pixel) {
     if (!parts[pixel] || !(input.view.vertices_world[pixel].w() > 0)) continue;

@@ -12,12 +12,12 @@ namespace {
 constexpr float kDistanceFactor = 3;     // d_max of eq. 3.5: factor * z / f ...
 constexpr float kMinDistance_m = 0.01F;  // ... but at least this, for each step
 constexpr int kLongestStep_px = 3;       // over pixels without fragment
-constexpr float kBendGap = 4;            // times d_max: normals farther apart belong to something else
+constexpr float kBendGap = 4;            // times d_max: normals farther apart belong to another surface
 
 struct Step {
   float length_m, depth_m, concavity_rad, step_m;
   bool bridged, has_bend;
-  Eigen::Vector3f color = Eigen::Vector3f::Zero();  // of b less that of a
+  Eigen::Vector3f color = Eigen::Vector3f::Zero();  // b minus a
 };
 
 std::uint64_t pairKey(FragmentId a, FragmentId b) {
@@ -25,7 +25,7 @@ std::uint64_t pairKey(FragmentId a, FragmentId b) {
   return std::uint64_t{low} << 32 | high;
 }
 
-/// What the steps from one fragment to another add up to.
+/// Sums over the steps between two fragments.
 struct Sum {
   std::uint64_t pair = 0;  // a in the upper half
   FragmentContact contact;
@@ -108,7 +108,7 @@ class StepFinder {
     if (!(z > 0) || !((to - from).squaredNorm() < std::pow(reach_m * static_cast<float>(length), 2.0F)))
       return;
     Step step{z / focal_px_, z, 0, stepBetween(here, there), false, false, Eigen::Vector3f::Zero()};
-    // A little off the border: that of the segments and that of the voxels are never quite the same.
+    // Some distance off the border, because the segments' border and the voxels' border never quite coincide.
     for (int off = kBendReach_px; off >= 0; --off) {
       if (!isInside(x - off * dx, y - off * dy) || !isInside(u + off * dx, v + off * dy)) continue;
       const std::size_t a = at(x - off * dx, y - off * dy), b = at(u + off * dx, v + off * dy);
@@ -159,7 +159,7 @@ class StepFinder {
   float focal_px_;
   std::vector<Sum> sums_;
   std::unordered_map<std::uint64_t, std::size_t> index_;  // of pairs in sums_
-  std::size_t last_ = 0;                                  // of the pair that was met last
+  std::size_t last_ = 0;                                  // of the last pair
 };
 
 }  // namespace

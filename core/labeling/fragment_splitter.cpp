@@ -9,15 +9,15 @@ namespace {
 
 constexpr float kMinShare = 0.002F;      // of the fragment's visible part, for each side
 constexpr float kMinSide = 1.0F / 1500;  // of the image: 51 pixels of 320 x 240
-constexpr int kMemory = 30;              // frames without another look until one is forgotten
+constexpr int kMemory = 30;              // frames without observation until a side is dropped
 constexpr float kSamePlace = 0.35F;      // centres agree within this part of the side's extent ...
 constexpr float kSameArea = 0.5F;        // ... and areas within this ratio
 
-/// On a recording that is played again and again fragments grow from 877 to 993 between its second and its
-/// twelfth time without this, nearly all of them by cuts; with it from 817 to 854, most in the third.
-constexpr int kFewFrames = 200;            // seen more often than that, for so many frames more ...
-constexpr int kFramesPerObservation = 20;  // ... one look more must agree ...
-constexpr int kMaxFrames = 1000;           // ... but not ever more: what stands there may change
+/// Without this, fragments of a recording in a loop grow from 877 to 993 between its second and twelfth pass,
+/// nearly all through splits. With it they grow from 817 to 854, mostly in the third pass.
+constexpr int kFewFrames = 200;            // beyond this, for each kFramesPerObservation more frames ...
+constexpr int kFramesPerObservation = 20;  // ... one more observation must agree ...
+constexpr int kMaxFrames = 1000;           // ... up to this limit, because the scene may change
 
 struct Side {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -71,8 +71,8 @@ std::vector<FragmentSplitter::Split> FragmentSplitter::find(const MergeInput& in
     ++side.pixels;
   }
   std::vector<Split> splits;
-  std::set<FragmentId> split_now;     // one cut a fragment and frame
-  std::set<std::uint32_t> looked_at;  // one look a side and frame
+  std::set<FragmentId> split_now;     // one split per fragment and frame
+  std::set<std::uint32_t> looked_at;  // one observation per side and frame
   for (const FragmentContact& contact : findContacts(input, parts)) {
     const FragmentId fragment = owner[contact.a.value];
     if (fragment != owner[contact.b.value] || split_now.contains(fragment)) continue;

@@ -22,10 +22,9 @@ namespace {
 
 using Overlaps = OverlapGraph<FragmentId>;
 
-constexpr int kSmallPiecesInImage =
-    3000;  // smaller pieces of a fragment mean nothing: 25 pixels of 320 x 240
+constexpr int kSmallPiecesInImage = 3000;  // smaller components are ignored: 25 pixels of 320 x 240
 
-/// How the visible part of each fragment is shared out among segments.
+/// The shares of each fragment's visible part in the segments.
 class SegmentShares {
  public:
   explicit SegmentShares(const Overlaps& overlaps) {
@@ -66,7 +65,7 @@ class SegmentShares {
   std::vector<std::vector<Share>> shares_;  // of each fragment, by segment
 };
 
-/// Which fragments came into the scene, each as a part of one thing, in this frame's view.
+/// The fragments in this frame's view that belong to appeared objects.
 class AppearedFragments {
  public:
   explicit AppearedFragments(const MergeInput& input) {
@@ -79,7 +78,7 @@ class AppearedFragments {
     }
   }
 
-  /// Whether both came as one thing (true), or one came to the other (false); none: that is not seen.
+  /// True if both appeared as one object, false if one appeared beside the other, none if unclear.
   [[nodiscard]] std::optional<bool> areOne(FragmentId a, FragmentId b) const {
     const int thing_a = thingOf(a), thing_b = thingOf(b);
     if (thing_a > 0 && thing_a == thing_b) return true;
@@ -89,7 +88,8 @@ class AppearedFragments {
 
  private:
   static constexpr int kWasThere = 0, kUnclear = -1;
-  /// Parts of a fragment's pixels: so many that came make it come; so few leave it what was there.
+  /// Limits for the appeared part of a fragment's pixels: at least kAppeared, it has appeared; at most
+  /// kStayed, it was there before.
   static constexpr double kAppeared = 0.6, kStayed = 0.2;
   struct Pixels {
     int all = 0;
@@ -111,7 +111,7 @@ class AppearedFragments {
   std::unordered_map<FragmentId, Pixels> of_fragment_;
 };
 
-/// What each segment is, and which fragments it leaves alone.
+/// The fragment of each segment, and the fragments that it covers and leaves unchanged.
 struct SegmentOwners {
   std::vector<FragmentId> owner;                 ///< by segment
   std::vector<std::vector<FragmentId>> covered;  ///< by segment
@@ -194,7 +194,7 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
 void GraphMerger::attachParts(const MergeInput& input, const Outcome& outcome, const RegionTable& table) {
   for (const Attachment& attachment : findAttachments(input, outcome, table)) {
     for (const auto& [a, b] : attachment.borders) {
-      // What nothing speaks for needs no denial.
+      // Without positive evidence a denial has no effect.
       const BorderEvidence* known = graph_.find(a, b);
       if (known == nullptr || (!attachment.is_attached && known->attached == 0)) continue;
       graph_.between(a, b).addAttachment(attachment.is_attached);
@@ -209,7 +209,7 @@ void GraphMerger::splitFragment(const MergeInput& input, const Overlaps& overlap
   split_from_.assign(owner.size(), {});
   split_off_.assign(owner.size(), {});
   for (const FragmentSplitter::Split& cut : cutter_.find(input, overlaps, owner)) {
-    // Whether it is a region of its own is for the next partition to say.
+    // The next partition decides whether it becomes a region of its own.
     const FragmentId split_off = table.newFragmentBeside(cut.fragment);
     split_from_[cut.segment] = cut.fragment;
     split_off_[cut.segment] = split_off;
@@ -250,7 +250,7 @@ std::optional<float> GraphMerger::joiningOdds(RegionId a, RegionId b, const Regi
 void GraphMerger::mustBeOne(RegionId a, RegionId b, const RegionTable& table) {
   const auto of_a = table.fragmentsOf(a), of_b = table.fragmentsOf(b);
   if (of_a.empty() || of_b.empty() || a == b) return;
-  // Where they touch, if they are known to.
+  // At a known contact, if there is one.
   for (const FragmentId fragment : of_a) {
     for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) {
       if (table.regionOf(link.other) == b)

@@ -37,7 +37,7 @@ class Contractor {
     while (!queue_.empty()) {
       const Contraction best = queue_.top();
       queue_.pop();
-      const auto sum = sums_[best.a].find(best.b);  // gone, or another since: there is a newer offer
+      const auto sum = sums_[best.a].find(best.b);  // removed or changed: a newer entry exists
       if (sum == sums_[best.a].end() || sum->second != best.weight) continue;
       contract(best.a, best.b);
     }

@@ -12,8 +12,8 @@
 
 namespace scantrove {
 namespace {
-constexpr int kMissingCapacity = 1 << 16;  // bricks that one update may find to be missing at a time
-/// Pixels that only confirm what is sure write in one of so many updates, so many neighbours together.
+constexpr int kMissingCapacity = 1 << 16;  // missing bricks that one update can list at a time
+/// Pixels that only confirm voxels of full confidence write in one of kTurns updates, in runs of kTurnPixels.
 constexpr std::size_t kTurns = 4, kTurnPixels = 16;
 }  // namespace
 
@@ -125,7 +125,7 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
   counts_.read(compute_.queue(), std::span<cl_int>(counts));
   touched_slots_.resize(static_cast<std::size_t>(counts[0]));
   touched_.read(compute_.queue(), std::span<cl_int>(touched_slots_));
-  // Slots may be others' by the time that somebody asks.
+  // Slots may be reassigned before the caller reads them, so store positions.
   for (const cl_int slot : touched_slots_) touched_bricks_.push_back(map.positionOf(slot));
   std::vector<cl_int4> found(static_cast<std::size_t>(std::min(counts[1], cl_int{kMissingCapacity})));
   missing_.read(compute_.queue(), std::span<cl_int4>(found));
@@ -171,10 +171,10 @@ void LabelCloud::restoreVoxelCounts(std::vector<cl_int> voxels) {
 
 LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks, BrickMap& map,
                                         float truncation_vox) {
-  // First all that are here; then, page by page, those in the file, through pools of their own.
+  // First the bricks on the device; then, page by page, those in the file, through separate pools.
   Extract found;
   std::vector<cl_int4> listed;
-  std::vector<std::size_t> order;  // brick of `found`, as it was asked for
+  std::vector<std::size_t> order;  // index in `bricks` of each brick of `found`
   std::map<int, std::vector<std::size_t>> in_file;
   const auto list = [&](std::size_t i, int slot) {
     listed.push_back({{bricks[i].x(), bricks[i].y(), bricks[i].z(), slot}});
@@ -216,7 +216,7 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
   result.points.reserve(found.points.size());
   for (const std::size_t k : place) {
     result.first.push_back(static_cast<std::uint32_t>(result.points.size()));
-    if (k == order.size()) continue;  // there is no such brick
+    if (k == order.size()) continue;  // missing brick
     result.points.insert(result.points.end(), found.points.begin() + found.first[k],
                          found.points.begin() + found.first[k + 1]);
   }

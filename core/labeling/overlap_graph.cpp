@@ -13,7 +13,7 @@ OverlapGraph<PatchId> buildOverlapGraph(const SegmentMap& segments, std::span<co
   graph.segment_areas_px = segments.areas;
   const std::size_t segment_count = segments.areas.size();
 
-  // Counts by (patch index, segment); a row a patch, made when the patch is first seen.
+  // Counts by (patch index, segment); one row per patch, added with its first pixel.
   std::vector<int> counts;
   std::unordered_map<PatchId, std::uint32_t> index_of_patch;
   for (std::size_t first = 0, pixel = 0; first < projected.size(); first = pixel) {

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// Fragments of all regions that one of `touched` belongs to, rising.
+/// Fragments of all regions that contain one of `touched`, in rising order.
 std::vector<FragmentId> membersOfTouched(std::span<const FragmentId> touched, const RegionTable& table) {
   std::vector<RegionId> regions;
   for (const FragmentId fragment : touched) regions.push_back(table.regionOf(fragment));
@@ -29,12 +29,12 @@ std::vector<FragmentId> membersOfTouched(std::span<const FragmentId> touched, co
 using Constraint = BorderEvidence::Constraint;
 constexpr float kCertain = 1e6F;  ///< more than all evidence together
 
-/// What was said of nodes 0, 1, 2 ..., as far as nothing said later contradicts it.
+/// The constraints of nodes 0, 1, 2 ... that no later one contradicts.
 class Constraints {
  public:
   explicit Constraints(std::size_t nodes) : group_(nodes) { std::iota(group_.begin(), group_.end(), 0U); }
 
-  /// To be called from the newest on.
+  /// Call in order from the newest to the oldest.
   void add(std::uint32_t a, std::uint32_t b, Constraint constraint) {
     const std::uint32_t into = group_[a], from = group_[b];
     if (into == from) return;
@@ -44,9 +44,9 @@ class Constraints {
       std::ranges::replace(group_, from, into);
     }
   }
-  /// A node for all those that must be one.
+  /// The representative of a node's must-link group.
   [[nodiscard]] std::uint32_t groupOf(std::uint32_t node) const { return group_[node]; }
-  /// Nodes that must not be one.
+  /// Cannot-link pairs.
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& apart() const { return apart_; }
 
  private:
@@ -75,7 +75,7 @@ class Divider {
     const std::map<RegionPair, float> lengths_m = lengthsBetween(table);
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
       if (isSmall(members_[a]) || isSmall(members_[b])) return;
-      // Two regions must pass the hysteresis once, however many fragments they meet with.
+      // The hysteresis counts once per pair of regions, however many of their fragments touch.
       const auto between = regionPair(a, b, table);
       const bool are_one = between.first == between.second;
       const float share = are_one ? 1 : border.length_m / std::max(lengths_m.at(between), 1e-6F);
@@ -104,7 +104,7 @@ class Divider {
   [[nodiscard]] int voxelsOf(FragmentId fragment) const {
     return fragment.value < voxels_.size() ? voxels_[fragment.value] : 0;
   }
-  /// One that something was said of is none.
+  /// A fragment with a constraint is never small.
   [[nodiscard]] bool isSmall(FragmentId fragment) const {
     return voxelsOf(fragment) < kSmallFragmentVoxels &&
            std::ranges::all_of(graph_.linksOf(fragment), [this](const EvidenceGraph::Link& link) {
@@ -116,7 +116,7 @@ class Divider {
   [[nodiscard]] RegionPair regionPair(std::uint32_t a, std::uint32_t b, const RegionTable& table) const {
     return std::minmax(table.regionOf(members_[a]), table.regionOf(members_[b]));
   }
-  /// Of the borders between two regions, all together.
+  /// Total length of the borders between each pair of regions.
   [[nodiscard]] std::map<RegionPair, float> lengthsBetween(const RegionTable& table) const {
     std::map<RegionPair, float> lengths_m;
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
@@ -155,8 +155,8 @@ class Divider {
     return constraints;
   }
 
-  /// By its largest fragment, each region that a person said to be a thing, from all others that a person
-  /// said something of.
+  /// Adds cannot-links between each region that a person labelled as an object and all other labelled
+  /// regions. A region's largest fragment represents it.
   void keepApart(const RegionTable& table, Constraints& constraints) const {
     std::map<RegionId, std::uint32_t> largest;
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
@@ -173,7 +173,7 @@ class Divider {
     }
   }
 
-  /// Slivers beside something take its part; those beside slivers only stay what they are.
+  /// Small fragments take the part of a neighbour; those with only small neighbours stay as they are.
   void attachSmallFragments(std::vector<std::uint32_t>& part) const {
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
       if (!isSmall(members_[i])) continue;

@@ -192,14 +192,14 @@ void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std:
     return std::tie(a.strength, a.voxels) > std::tie(b.strength, b.voxels);
   });
   std::vector<RegionId> identity(parts.size());
-  std::map<RegionId, std::size_t> keeper;  // of each region: the part that goes on as it
+  std::map<RegionId, std::size_t> keeper;  // of each region: the part that keeps its identity
   for (const Claim& claim : claims) {
     if (identity[claim.part] || keeper.contains(claim.region)) continue;
     identity[claim.part] = claim.region;
     keeper[claim.region] = claim.part;
   }
-  // A part without identity is new; it came out of the region that gave it most. A region that no part goes
-  // on as was joined into the part that got most of it.
+  // A part without identity is new; it was split from the region with most voxels in it. A region without a
+  // part that keeps its identity was joined into the part with most of its voxels.
   bool changed = false;
   std::map<RegionId, RegionId> joined_into;
   for (const Claim& claim : claims) {

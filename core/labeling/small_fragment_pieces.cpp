@@ -6,12 +6,12 @@
 namespace scantrove {
 namespace {
 
-/// Pixels of one fragment side by side in a row.
+/// Consecutive pixels of one fragment in a row.
 struct Run {
   int begin, end;  // pixels of the image
   FragmentId fragment;
-  std::uint32_t parent;  // run of the same piece; itself: the piece's first
-  int piece_px = 0;      // of a piece's first run
+  std::uint32_t parent;  // run of the same component; itself if it is the first
+  int piece_px = 0;      // set for a component's first run
 };
 
 class Pieces {

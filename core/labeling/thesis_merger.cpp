@@ -18,7 +18,7 @@ void joinComponent(const RegionOverlaps& graph, const std::vector<std::uint32_t>
   }
 }
 
-/// The components that qualifying edges make of the patches.
+/// The components of the patches under qualifying edges.
 void joinComponents(const RegionOverlaps& graph, float threshold, RegionTable& table, RegionEvents& events) {
   std::vector<std::vector<std::uint32_t>> segments_of(graph.patches.size());
   std::vector<std::vector<std::uint32_t>> patches_of(graph.segment_areas_px.size());
@@ -62,7 +62,7 @@ RegionMerger::Outcome ThesisMerger::merge(const MergeInput& input, RegionTable& 
   for (const RegionId region : graph.patches) fragment_of_patch.push_back(table.fragmentsOf(region).front());
   joinComponents(graph, params.overlap_threshold, table, outcome.events);
 
-  // Each segment is its largest overlap that qualifies; all that qualify are one region by now.
+  // Each segment takes its largest qualifying overlap; all qualifying ones are in one region by now.
   std::vector<FragmentId> fragment_of_segment(segments.areas.size());
   std::vector<int> largest_overlap_px(segments.areas.size(), 0);
   for (const RegionOverlaps::Edge& edge : graph.edges) {
@@ -81,7 +81,7 @@ RegionMerger::Outcome ThesisMerger::merge(const MergeInput& input, RegionTable& 
   for (std::size_t pixel = 0; pixel < outcome.fragments.size(); ++pixel) {
     FragmentId& fragment = outcome.fragments[pixel];
     const FragmentId merged = fragment_of_segment[segments.ids[pixel]];
-    // A voxel of the region keeps the fragment that it holds.
+    // A voxel of the region keeps its fragment.
     if (merged && table.regionOf(fragment) != table.regionOf(merged)) fragment = merged;
     outcome.regions[pixel] = table.regionOf(fragment);
   }
