@@ -33,7 +33,7 @@ std::string pngHeader(std::uint32_t width, std::uint32_t height) {
   return png + std::string("\x10\0\0\0\0", 5) + "sum." + std::string("\0\0\0\0IEND", 8) + "sum.";
 }
 
-TEST(BadInput, ImagesThatAreTooLargeAreRefusedByTheirHeader) {
+TEST(BadInput, RefusesByHeader_WhenImagesAreTooLarge) {
   const TemporaryFolder folder;
   for (const auto& [width, height] :
        {std::pair{8000U, 8000U}, {4097U, 4096U}, {1U, 16'777'217U}, {0x7FFFFFFFU, 9U}}) {
@@ -46,26 +46,26 @@ TEST(BadInput, ImagesThatAreTooLargeAreRefusedByTheirHeader) {
   EXPECT_THAT(openError(folder.path()), HasSubstr("damaged"));  // large enough, but there are no pixels
 }
 
-TEST(BadInput, MissingPathIsNamed) {
+TEST(BadInput, NamesThePath_WhenItIsMissing) {
   EXPECT_THAT(openError("/nowhere/recording"),
               AllOf(HasSubstr("/nowhere/recording"), HasSubstr("There is no")));
   EXPECT_THAT(openError(""), HasSubstr("No source"));
 }
 
-TEST(BadInput, EmptyFolderListsWhatWasLookedFor) {
+TEST(BadInput, ListsExpectedFiles_WhenTheFolderIsEmpty) {
   const TemporaryFolder folder;
   EXPECT_THAT(openError(folder.path()),
               AllOf(HasSubstr(folder.path().string()), HasSubstr("empty"), HasSubstr("7-Scenes"),
                     HasSubstr("depth.txt"), HasSubstr("depth/")));
 }
 
-TEST(BadInput, FolderOfOtherThingsListsWhatWasLookedFor) {
+TEST(BadInput, ListsExpectedFiles_WhenTheFolderHoldsOthers) {
   const TemporaryFolder folder;
   folder.write("notes.md", "hello");
   EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("no recording"), HasSubstr("7-Scenes")));
 }
 
-TEST(BadInput, FileOfAnotherKindIsRefused) {
+TEST(BadInput, RefusesAFile_WhenItsKindIsUnknown) {
   const TemporaryFolder folder;
   EXPECT_THAT(openError(folder.write("film.mp4", "x")), HasSubstr("film.mp4"));
 }
@@ -89,7 +89,7 @@ class WithoutPrivileges {
   bool was_root_ = geteuid() == 0;
 };
 
-TEST(BadInput, FolderWithoutPermissionSaysSo) {
+TEST(BadInput, ReportsPermission_WhenTheFolderIsUnreadable) {
   namespace fs = std::filesystem;
   const TemporaryFolder folder;
   for (const char* name : {"open", "closed"}) writeNumberedFolder(folder / name, 0, 1);
@@ -105,7 +105,7 @@ TEST(BadInput, FolderWithoutPermissionSaysSo) {
   fs::permissions(folder / "closed", fs::perms::owner_all);
 }
 
-TEST(BadInput, EmptyDepthFolderIsNamed) {
+TEST(BadInput, NamesTheDepthFolder_WhenItIsEmpty) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "depth");
   std::filesystem::create_directories(folder / "color");
@@ -127,14 +127,14 @@ void expectOnlySkipped(const std::filesystem::path& folder, std::size_t position
               AllOf(HasSubstr(numbered("%06d", static_cast<int>(position))), HasSubstr(reason)));
 }
 
-TEST(BadInput, TruncatedDepthIsSkipped) {
+TEST(BadInput, SkipsTheFrame_WhenDepthIsTruncated) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   truncate(folder / "depth/000006.png", 0.7);
   expectOnlySkipped(folder.path(), 6, "truncated");
 }
 
-TEST(BadInput, TruncatedJpegIsSkipped) {
+TEST(BadInput, SkipsTheFrame_WhenAJpegIsTruncated) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   std::filesystem::remove(folder / "color/000007.png");
@@ -143,14 +143,14 @@ TEST(BadInput, TruncatedJpegIsSkipped) {
   expectOnlySkipped(folder.path(), 7, "truncated");
 }
 
-TEST(BadInput, EmptyFileIsSkipped) {
+TEST(BadInput, SkipsTheFrame_WhenAFileIsEmpty) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   truncate(folder / "depth/000009.png", 0);
   expectOnlySkipped(folder.path(), 9, "empty");
 }
 
-TEST(BadInput, TextInAnImageIsSkipped) {
+TEST(BadInput, SkipsTheFrame_WhenAnImageHoldsText) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   folder.write("depth/000005.png", "not an image at all");
@@ -168,7 +168,7 @@ void expectSkippedAs(const std::string& part, const std::string& reason,
   expectOnlySkipped(folder.path(), 6, reason);
 }
 
-TEST(BadInput, PipesSocketsDevicesAndFoldersAreNotOpenedAsImages) {
+TEST(BadInput, SkipsTheFrame_WhenAnImageIsNoRegularFile) {
   const auto makePipe = [](const auto& file) { ASSERT_EQ(mkfifo(file.c_str(), 0600), 0); };
   expectSkippedAs("depth", "is a pipe", makePipe);
   expectSkippedAs("color", "is a pipe", makePipe);
@@ -188,7 +188,7 @@ TEST(BadInput, PipesSocketsDevicesAndFoldersAreNotOpenedAsImages) {
                   [](const auto& file) { std::filesystem::create_symlink(file.filename(), file); });
 }
 
-TEST(BadInput, SourcesAndListsThatArePipesAreNamed) {
+TEST(BadInput, NamesTheFile_WhenSourceOrListIsAPipe) {
   const TemporaryFolder folder;
   const auto pipe = [&](const std::string& name) {
     std::filesystem::create_directories((folder / name).parent_path());
@@ -204,35 +204,35 @@ TEST(BadInput, SourcesAndListsThatArePipesAreNamed) {
   EXPECT_THAT(openError(folder / "loop"), AllOf(HasSubstr("loop"), HasSubstr("symbolic links")));
 }
 
-TEST(BadInput, ImageOfAnotherSizeIsSkippedWithBothSizes) {
+TEST(BadInput, NamesBothSizes_WhenADepthImageDiffers) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   writeImage(folder / "depth/000008.png", tinyDepth(1000, {32, 24}));
   expectOnlySkipped(folder.path(), 8, "is 32x24, the first frame 64x48");
 }
 
-TEST(BadInput, ColorOfAnotherSizeIsSkippedWithBothSizes) {
+TEST(BadInput, NamesBothSizes_WhenAColorImageDiffers) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   writeImage(folder / "color/000008.png", tinyColor(1, {32, 24}));
   expectOnlySkipped(folder.path(), 8, "is 32x24, the first frame 64x48");
 }
 
-TEST(BadInput, UnusableFirstFrameIsSkippedToo) {
+TEST(BadInput, SkipsTheFirstFrame_WhenItIsUnusable) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   truncate(folder / "depth/000000.png", 0.5);
   expectOnlySkipped(folder.path(), 0, "truncated");
 }
 
-TEST(BadInput, EightBitDepthIsSkipped) {
+TEST(BadInput, SkipsTheFrame_WhenDepthHasEightBits) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   writeImage(folder / "depth/000006.png", cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(9)));
   expectOnlySkipped(folder.path(), 6, "8-bit with 1 channel");
 }
 
-TEST(BadInput, FolderOfColorAsDepthIsRefused) {
+TEST(BadInput, RefusesTheFolder_WhenDepthImagesAreColor) {
   const TemporaryFolder folder;
   writeImage(folder / "color/0.png", tinyColor(1));
   writeImage(folder / "depth/0.png", tinyColor(1));
@@ -240,14 +240,14 @@ TEST(BadInput, FolderOfColorAsDepthIsRefused) {
               AllOf(HasSubstr("depth/0.png"), HasSubstr("8-bit with 3 channels"), HasSubstr("16-bit")));
 }
 
-TEST(BadInput, ColorOfAnotherShapeIsRefused) {
+TEST(BadInput, RefusesTheFolder_WhenColorHasAnotherShape) {
   const TemporaryFolder folder;
   writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
   writeImage(folder / "depth/0.png", tinyDepth(1000));
   EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("128x72"), HasSubstr("64x48")));
 }
 
-TEST(BadInput, FolderRemovedWhileReadingFails) {
+TEST(BadInput, Fails_WhenTheFolderIsRemovedWhileReading) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder / "recording", 0, 20);
   const auto source = openSource((folder / "recording").string(), {});
@@ -260,7 +260,7 @@ TEST(BadInput, FolderRemovedWhileReadingFails) {
   EXPECT_THAT(reads.back().error.what, HasSubstr("gone"));
 }
 
-TEST(BadInput, OptionsOutOfRangeAreRefused) {
+TEST(BadInput, RefusesOptions_WhenOutOfRange) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 4);
   const auto errorWith = [&](auto change) {
@@ -291,7 +291,7 @@ TEST(BadInput, OptionsOutOfRangeAreRefused) {
   EXPECT_THAT(openError("demo", absurd), HasSubstr("180 degrees"));
 }
 
-TEST(BadInput, BrokenCameraFilesAreNamed) {
+TEST(BadInput, NamesTheCameraFile_WhenItIsBroken) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 1);
   folder.write("intrinsic.json", "{\"width\": 64}");
@@ -302,7 +302,7 @@ TEST(BadInput, BrokenCameraFilesAreNamed) {
   EXPECT_THAT(openError(folder.path()), HasSubstr("positive"));
 }
 
-TEST(BadInput, WrongDepthScaleIsNoticed) {
+TEST(BadInput, WarnsOfDepthScale_WhenDepthsAreImplausible) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 1);
   for (const double scale : {10000.0, 100.0}) {  // 0.1 m and 10 m
@@ -315,7 +315,7 @@ TEST(BadInput, WrongDepthScaleIsNoticed) {
   }
 }
 
-TEST(BadInput, BrokenOniIsRefusedBeforeOpenNiSeesIt) {
+TEST(BadInput, RefusesAnOniBeforeOpenNi_WhenItIsBroken) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& bytes) { return openError(folder.write("broken.oni", bytes)); };
   EXPECT_THAT(error("this is no recording"),
@@ -325,7 +325,7 @@ TEST(BadInput, BrokenOniIsRefusedBeforeOpenNiSeesIt) {
 }
 
 // OpenNI2's player looks a property's name up by its letters as signed numbers, and trusts every length.
-TEST(OniFile, NamesAndLengthsThatCrashOpenNiAreRefused) {
+TEST(OniFile, IsRefused_WhenNamesOrLengthsWouldCrashOpenNi) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& bytes) {
     const auto checked = checkOniFile(folder.write("input.oni", bytes));

@@ -121,7 +121,7 @@ std::string problemsFor(const Computer& computer) {
   });
 }
 
-TEST(CameraDiagnostics, AKinectThatIsWell) {
+TEST(CameraDiagnostics, FindsNoProblem_WhenAKinectWorks) {
   const Computer computer;
   computer.plug(kKinect);
   const auto found = examineCameras(computer.root(), true);
@@ -144,7 +144,7 @@ TEST(CameraDiagnostics, AKinectThatIsWell) {
   EXPECT_EQ(device.speed_mbps, 480);
 }
 
-TEST(CameraDiagnostics, WithoutLibfreenectAKinectSaysWhatToInstall) {
+TEST(CameraDiagnostics, NamesThePackage_WhenLibfreenectIsMissing) {
   const Computer computer;
   computer.plug(kKinect);
   const auto found = examineCameras(computer.root(), false);
@@ -153,7 +153,7 @@ TEST(CameraDiagnostics, WithoutLibfreenectAKinectSaysWhatToInstall) {
   EXPECT_THAT(texts(found[0].problems), HasSubstr("apt-get install libfreenect-dev"));
 }
 
-TEST(CameraDiagnostics, AnXtionIsOpenNi2s) {
+TEST(CameraDiagnostics, NamesOpenNi2_WhenTheCameraIsAnXtion) {
   const Computer computer;
   computer.plug(kXtion);
   const auto found = examineCameras(computer.root(), true);
@@ -162,7 +162,7 @@ TEST(CameraDiagnostics, AnXtionIsOpenNi2s) {
   EXPECT_EQ(driverName(found[0].camera.driver), "OpenNI2");
 }
 
-TEST(CameraDiagnostics, WithoutPermissionGivesTheRuleForThisDevice) {
+TEST(CameraDiagnostics, GivesTheUdevRule_WhenPermissionIsMissing) {
   const Computer computer;
   computer.plug(kXtion, fs::perms(0600));
   EXPECT_THAT(
@@ -174,13 +174,13 @@ TEST(CameraDiagnostics, WithoutPermissionGivesTheRuleForThisDevice) {
                       "sudo udevadm trigger")));
 }
 
-TEST(CameraDiagnostics, ANodeThatCanOnlyBeReadIsNotEnough) {
+TEST(CameraDiagnostics, ReportsPermission_WhenTheNodeIsReadOnly) {
   const Computer computer;
   computer.plug(kXtion, fs::perms(0664));  // the kernel's own permissions
   EXPECT_THAT(problemsFor(computer), AllOf(HasSubstr("may not: "), HasSubstr("1d27")));
 }
 
-TEST(CameraDiagnostics, WhereAGroupMayItIsTheGroupThatHelps) {
+TEST(CameraDiagnostics, AdvisesTheGroup_WhenAGroupMayOpenTheNode) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can give a file to another group";
   const group* const plugdev = getgrnam("plugdev");
   if (plugdev == nullptr) GTEST_SKIP() << "there is no group plugdev here";
@@ -190,7 +190,7 @@ TEST(CameraDiagnostics, WhereAGroupMayItIsTheGroupThatHelps) {
   EXPECT_THAT(problemsFor(computer), HasSubstr("sudo adduser \"$USER\" plugdev"));
 }
 
-TEST(CameraDiagnostics, AMissingNodeIsSaid) {
+TEST(CameraDiagnostics, ReportsTheNode_WhenItIsMissing) {
   const Computer computer;
   computer.plug(kXtion);
   fs::remove(computer.nodeOf(5));
@@ -198,7 +198,7 @@ TEST(CameraDiagnostics, AMissingNodeIsSaid) {
                                            HasSubstr("--device /dev/bus/usb")));
 }
 
-TEST(CameraDiagnostics, AModuleThatHoldsTheKinectIsNamed) {
+TEST(CameraDiagnostics, NamesTheModule_WhenItHoldsTheKinect) {
   const Computer computer;
   computer.plug(kKinect);
   computer.bind("1-2:1.0", "kinect", "gspca_kinect");
@@ -209,7 +209,7 @@ TEST(CameraDiagnostics, AModuleThatHoldsTheKinectIsNamed) {
               AllOf(HasSubstr("sudo modprobe -r gspca_kinect"), HasSubstr("blacklist gspca_kinect")));
 }
 
-TEST(CameraDiagnostics, AModuleWithinTheKernelIsKnownByItsDriver) {
+TEST(CameraDiagnostics, NamesTheDriver_WhenTheModuleIsBuiltIn) {
   const Computer computer;
   computer.plug(kKinect);
   computer.bind("1-2:1.0", "kinect", "");
@@ -217,7 +217,7 @@ TEST(CameraDiagnostics, AModuleWithinTheKernelIsKnownByItsDriver) {
               HasSubstr("modprobe -r gspca_kinect"));
 }
 
-TEST(CameraDiagnostics, OtherModulesAreNotInTheWay) {
+TEST(CameraDiagnostics, FindsNoProblem_WhenOtherModulesAreBound) {
   const Computer computer;
   computer.plug(kKinect);
   computer.bind("1-2:1.0", "usbfs", "usbcore");  // a program has it open
@@ -229,7 +229,7 @@ TEST(CameraDiagnostics, OtherModulesAreNotInTheWay) {
   EXPECT_THAT(found[0].remarks, IsEmpty());
 }
 
-TEST(CameraDiagnostics, ASlowPortIsTold) {
+TEST(CameraDiagnostics, ReportsThePort_WhenItIsTooSlow) {
   const Computer computer;
   Computer::Plugged slow = kXtion;
   slow.speed = "12";
@@ -244,7 +244,7 @@ TEST(CameraDiagnostics, ASlowPortIsTold) {
   EXPECT_EQ(problemsFor(computer), "may: ");
 }
 
-TEST(CameraDiagnostics, CamerasThatDebianHasNoDriverForSayWhatOneCanDo) {
+TEST(CameraDiagnostics, AdvisesAlternatives_WhenDebianHasNoDriver) {
   const Computer computer;
   computer.plug({.port = "2-1", .vendor = "045e", .product = "02d8", .number = 2, .speed = "480"});
   computer.plug({.port = "2-2", .vendor = "2bc5", .product = "0401", .number = 3});
@@ -264,7 +264,7 @@ TEST(CameraDiagnostics, CamerasThatDebianHasNoDriverForSayWhatOneCanDo) {
   EXPECT_EQ(found[2].camera.name, "RealSense D435");
 }
 
-TEST(CameraDiagnostics, OfAKinectOnlyTheCameraIsListed) {
+TEST(CameraDiagnostics, ListsOnlyTheCamera_WhenAKinectHasSeveralDevices) {
   const Computer computer;
   computer.plug(kKinect);
   computer.plug({.port = "1-2.1", .vendor = "045e", .product = "02b0", .number = 6, .speed = "12"});
@@ -274,13 +274,13 @@ TEST(CameraDiagnostics, OfAKinectOnlyTheCameraIsListed) {
   EXPECT_EQ(found[0].device.id(), "045e:02ae");
 }
 
-TEST(CameraDiagnostics, AKinectWithoutPowerIsOnlyItsMotor) {
+TEST(CameraDiagnostics, ReportsThePowerSupply_WhenOnlyTheMotorAnswers) {
   const Computer computer;
   computer.plug({.vendor = "045e", .product = "02b0", .speed = "12"});
   EXPECT_THAT(problemsFor(computer), AllOf(HasSubstr("only its motor answers"), HasSubstr("power supply")));
 }
 
-TEST(CameraDiagnostics, OtherDevicesAreNotListed) {
+TEST(CameraDiagnostics, ListsNothing_WhenDevicesAreNoCameras) {
   const Computer computer;
   computer.plug({.port = "1-1", .vendor = "046d", .product = "0825", .number = 2});  // a web camera
   computer.plug({.port = "1-2", .vendor = "045e", .product = "0745", .number = 3});  // a mouse of Microsoft's
@@ -289,7 +289,7 @@ TEST(CameraDiagnostics, OtherDevicesAreNotListed) {
   EXPECT_EQ(readUsbDevices(computer.root()).size(), 3U);
 }
 
-TEST(CameraDiagnostics, NothingThereIsNoError) {
+TEST(CameraDiagnostics, ListsNothing_WhenThereIsNoUsbFolder) {
   const Computer computer;
   EXPECT_THAT(examineCameras(computer.root(), true), IsEmpty());
   fs::create_directories(computer.devices());
@@ -297,7 +297,7 @@ TEST(CameraDiagnostics, NothingThereIsNoError) {
   EXPECT_THAT(examineCameras(computer.root() / "nowhere", true), IsEmpty());
 }
 
-TEST(CameraDiagnostics, FilesThatCannotBeReadOrUnderstoodLeaveTheRest) {
+TEST(CameraDiagnostics, KeepsOtherValues_WhenFilesAreUnreadable) {
   const Computer computer;
   computer.plug(kXtion);
   const fs::path folder = computer.devices() / "1-2";

@@ -19,7 +19,7 @@ std::string errorOf(const std::string& text) {
   return parsed ? "(parsed)" : parsed.error().message();
 }
 
-TEST(ColorRegistration, WordsAndNumbersAreRead) {
+TEST(ColorRegistration, ReadsWordsAndNumbers) {
   EXPECT_FALSE(parseColorRegistration("registered")->camera);
   const auto kinect = parseColorRegistration("kinect")->camera;
   ASSERT_TRUE(kinect);
@@ -36,7 +36,7 @@ TEST(ColorRegistration, WordsAndNumbersAreRead) {
   EXPECT_TRUE((turned->T_color_depth * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY()));
 }
 
-TEST(ColorRegistration, OtherTextsAreRefusedWithWhatCanBeGiven) {
+TEST(ColorRegistration, ListsAcceptedForms_WhenTheTextIsInvalid) {
   for (const char* text : {"", "nearby", "525,525,320,240", "525,525,320,240,0,0", "525,525,x,240,0",
                            "525,525,320,240,nan", "525,0,320,240,0", "525,525,320,240,1.5"}) {
     EXPECT_THAT(errorOf(text), AllOf(HasSubstr("registered, kinect"), HasSubstr("fx,fy,cx,cy"))) << text;
@@ -45,7 +45,7 @@ TEST(ColorRegistration, OtherTextsAreRefusedWithWhatCanBeGiven) {
   EXPECT_THAT(errorOf("525,525,320,240,1.5"), HasSubstr("more than 1 m away"));
 }
 
-TEST(ColorRegistration, RegisteredImagesHaveTheShapeOfDepth) {
+TEST(ColorRegistration, RefusesRegisteredImages_WhenTheirShapeDiffersFromDepth) {
   const auto same = colorCameraFor({}, {1280, 960}, kDepthK, "here");
   ASSERT_TRUE(same);
   EXPECT_FALSE(*same);
@@ -55,7 +55,7 @@ TEST(ColorRegistration, RegisteredImagesHaveTheShapeOfDepth) {
                                              HasSubstr("--color-registration")));
 }
 
-TEST(ColorRegistration, TheKinectsCameraIsResizedToImagesOfItsShape) {
+TEST(ColorRegistration, ResizesTheKinectCamera_WhenImagesHaveItsShape) {
   const auto camera = colorCameraFor({kinectColorCamera()}, {1280, 960}, kDepthK, "here");
   ASSERT_TRUE(camera);
   EXPECT_EQ((*camera)->K, (Intrinsics{1056, 1056, 640.5F, 480.5F, 1280, 960}));
@@ -64,7 +64,7 @@ TEST(ColorRegistration, TheKinectsCameraIsResizedToImagesOfItsShape) {
   EXPECT_THAT(other.error().message(), AllOf(HasSubstr("1280x1024"), HasSubstr("640x480")));
 }
 
-TEST(ColorRegistration, NumbersAreOfTheImagesThatThereAre) {
+TEST(ColorRegistration, AppliesNumbersToTheActualImages) {
   const auto given = *parseColorRegistration("1050,1050,640,512,-0.025");
   EXPECT_EQ((*colorCameraFor(given, {1280, 1024}, kDepthK, "here"))->K,
             (Intrinsics{1050, 1050, 640, 512, 1280, 1024}));
@@ -84,7 +84,7 @@ std::optional<ColorCamera> colorCameraOf(const std::filesystem::path& folder,
   return read.frame.color_camera;
 }
 
-TEST(SevenScenes, ColorIsOfItsOwnKinectOnlyWhereItIs) {
+TEST(SevenScenes, UsesItsKinectsColorCamera_WhenIntrinsicsAreIts) {
   const TemporaryFolder folder;
   writeSevenScenes(folder.path(), 0, 1);
   const auto own = colorCameraOf(folder.path());
@@ -104,7 +104,7 @@ TEST(SevenScenes, ColorIsOfItsOwnKinectOnlyWhereItIs) {
   EXPECT_FALSE(colorCameraOf(folder.path()));
 }
 
-TEST(SevenScenes, AFileAndAPersonSayOtherwise) {
+TEST(SevenScenes, OverridesColorRegistration_WhenAFileOrOptionGivesIt) {
   const TemporaryFolder folder;
   writeSevenScenes(folder.path(), 0, 1);
   const std::string K =
@@ -125,7 +125,7 @@ TEST(SevenScenes, AFileAndAPersonSayOtherwise) {
   EXPECT_NEAR(colorCameraOf(folder.path(), options)->T_color_depth.translation().x(), -0.025, 1e-9);
 }
 
-TEST(BadInput, AColorCameraInAFileThatIsNone) {
+TEST(BadInput, NamesTheFile_WhenItsColorCameraIsInvalid) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 1);
   const std::string K = R"("intrinsic_matrix": [60, 0, 0, 0, 60, 0, 32, 24, 1])";

@@ -34,7 +34,7 @@ class ListedFrames final : public FrameSource {
   std::deque<Stamp> stamps_;
 };
 
-TEST(ContinuedSource, ShiftsNumbersAndTimes_WhenTheRecordingBeginsBeforeTheScanEnds) {
+TEST(ContinuedSource, ShiftsNumbersAndTimes_WhenTheRecordingStartsBeforeTheScanEnds) {
   ContinuedSource source(std::make_unique<ListedFrames>(std::deque<Stamp>{{3, 0.1}, {5, 0.2}, {6, 0.25}}), 29,
                          29 / 30.0);
   const FrameRead first = source.next();
@@ -59,14 +59,14 @@ TEST(ContinuedSource, KeepsNumbersAndTimes_WhenTheRecordingBeginsLater) {
   EXPECT_EQ(source.shift().time_s, 0);
 }
 
-TEST(ContinuedSource, ShiftsTheNumbersAlone_WhenOnlyTheyFallBack) {
+TEST(ContinuedSource, ShiftsOnlyNumbers_WhenOnlyTheyDecrease) {
   ContinuedSource source(std::make_unique<ListedFrames>(std::deque<Stamp>{{0, 1305031102.5}}), 29, 29 / 30.0);
   const FrameRead first = source.next();
   EXPECT_EQ(first.frame.index, 30);
   EXPECT_EQ(first.frame.timestamp_s, 1305031102.5);
 }
 
-TEST(ContinuedSource, NumbersStayInRange_WhenTheScanHasUsedTheLargest) {
+TEST(ContinuedSource, KeepsNumbersInRange_WhenTheScanUsedTheLargest) {
   ContinuedSource source(std::make_unique<ListedFrames>(std::deque<Stamp>{{0, 0}, {1, 0.1}}), 0x7fffffff, 1);
   EXPECT_EQ(source.next().frame.index, 0x7fffffff);
   EXPECT_EQ(source.next().frame.index, 0x7fffffff);

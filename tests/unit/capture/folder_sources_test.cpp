@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using Status = FrameRead::Status;
 
-TEST(SevenScenes, GivesNumbersTimesPosesAndDefaultCamera) {
+TEST(SevenScenes, ReadsNumbersTimesPosesAndDefaultCamera) {
   const TemporaryFolder folder;
   writeSevenScenes(folder.path(), 500, 3);
   const auto source = openSource(folder.path().string(), {});
@@ -55,7 +55,7 @@ TEST(SevenScenes, MapsInvalidDepthToZero) {
   EXPECT_EQ(read.frame.depth.at<std::uint16_t>(3, 5), 65534);
 }
 
-TEST(SevenScenes, ReadsItsCameraFile) {
+TEST(SevenScenes, ReadsTheCameraFile_WhenThereIsOne) {
   const TemporaryFolder folder;
   writeSevenScenes(folder.path(), 0, 1);
   folder.write("camera-intrinsics.txt", "50 0 31\n0 51 23\n0 0 1\n");
@@ -64,7 +64,7 @@ TEST(SevenScenes, ReadsItsCameraFile) {
   EXPECT_EQ((*source)->info().intrinsics, (Intrinsics{50, 51, 31, 23, kTinyWidth, kTinyHeight}));
 }
 
-TEST(SevenScenes, LeavesUnusablePosesAwayButGivesTheFrames) {
+TEST(SevenScenes, ReturnsFramesWithoutPose_WhenPosesAreUnusable) {
   const TemporaryFolder folder;
   writeSevenScenes(folder.path(), 0, 5);
   folder.write("frame-000001.pose.txt", "nan nan nan nan\nnan nan nan nan\nnan nan nan nan\n0 0 0 1\n");
@@ -81,7 +81,7 @@ TEST(SevenScenes, LeavesUnusablePosesAwayButGivesTheFrames) {
   }
 }
 
-TEST(SevenScenes, SkipsFramesThatLackAnImage) {
+TEST(SevenScenes, SkipsTheFrame_WhenAnImageIsMissing) {
   const TemporaryFolder folder;
   writeSevenScenes(folder.path(), 0, 4);
   std::filesystem::remove(folder / "frame-000001.depth.png");
@@ -97,13 +97,13 @@ TEST(SevenScenes, SkipsFramesThatLackAnImage) {
   EXPECT_EQ(reads[3].status, Status::frame);
 }
 
-TEST(SevenScenes, FolderAboveItsSequencesNamesOne) {
+TEST(SevenScenes, NamesASequence_WhenTheFolderContainsSequences) {
   const TemporaryFolder folder;
   writeSevenScenes(folder / "seq-01", 0, 1);
   EXPECT_THAT(openError(folder.path()), HasSubstr((folder / "seq-01").string()));
 }
 
-TEST(SourceOptions, StartStrideAndFramesSelect) {
+TEST(SourceOptions, SelectFramesByStartStrideAndCount) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 100, 10);
   SourceOptions options;
@@ -173,7 +173,7 @@ TEST(TumFolder, PairsImagesAndInterpolatesPoses) {
 }
 
 // The lenses of the first two cameras show less in the corners than a pinhole would.
-TEST(TumFolder, IsFreedOfTheDistortionOfItsLens) {
+TEST(TumFolder, UndistortsImages_WhenTheCameraIsKnown) {
   for (const auto& [camera, is_bent] :
        {std::pair("freiburg1", true), {"freiburg2", true}, {"freiburg3", false}}) {
     SCOPED_TRACE(camera);
@@ -187,7 +187,7 @@ TEST(TumFolder, IsFreedOfTheDistortionOfItsLens) {
   }
 }
 
-TEST(TumFolder, IntrinsicsOfAnotherCameraBringNoLens) {
+TEST(TumFolder, UndistortsNothing_WhenIntrinsicsAreAnotherCameras) {
   const TemporaryFolder folder;
   writeTum(folder);
   SourceOptions options;
@@ -197,7 +197,7 @@ TEST(TumFolder, IntrinsicsOfAnotherCameraBringNoLens) {
   EXPECT_EQ((*source)->next().frame.depth.at<std::uint16_t>(0, 0), 5000);
 }
 
-TEST(TumFolder, WarnsWhenTheCameraIsUnknown) {
+TEST(TumFolder, Warns_WhenTheCameraIsUnknown) {
   const TemporaryFolder folder;
   writeTum(folder);
   folder.write("rgb.txt", "# color images\n1305031229.005000 rgb/1305031229.005000.png\n");
@@ -206,26 +206,26 @@ TEST(TumFolder, WarnsWhenTheCameraIsUnknown) {
   EXPECT_THAT(log.text(), HasSubstr("--intrinsics"));
 }
 
-TEST(TumFolder, AssociationTakesTheClosestPairsFirstAndEachImageOnce) {
+TEST(TumFolder, AssociatesClosestPairsFirstAndEachImageOnce) {
   const auto pairs = associateTimes({0.000, 0.010, 0.100}, {0.009, 0.095, 0.130}, 0.02);
   const std::vector<std::pair<std::size_t, std::size_t>> expected = {{1, 0}, {2, 1}};
   EXPECT_EQ(pairs, expected);
 }
 
-TEST(TumFolder, SaysWhenNothingCanBePaired) {
+TEST(TumFolder, Fails_WhenNothingCanBePaired) {
   const TemporaryFolder folder;
   folder.write("depth.txt", "1.0 depth/1.png\n");
   folder.write("rgb.txt", "2.0 rgb/2.png\n");
   EXPECT_THAT(openError(folder.path()), HasSubstr("clock"));
 }
 
-TEST(TumFolder, NamesTheBadLine) {
+TEST(TumFolder, NamesTheLine_WhenItIsMalformed) {
   const TemporaryFolder folder;
   folder.write("depth.txt", "# depth\n1.0 depth/1.png\nnonsense\n");
   EXPECT_THAT(openError(folder.path()), HasSubstr("line 3"));
 }
 
-TEST(NumberedFolder, PairsByNumberWhateverTheDigitsAndFormats) {
+TEST(NumberedFolder, PairsByNumber_WhenDigitsAndFormatsDiffer) {
   const TemporaryFolder folder;
   for (int i = 8; i < 12; ++i) {  // 8 ... 11: as text, "10" sorts before "8"
     writeImage(folder / "image" / numbered("%d.jpg", i), tinyColor(100));
@@ -247,7 +247,7 @@ TEST(NumberedFolder, PairsByNumberWhateverTheDigitsAndFormats) {
   EXPECT_THAT(log.text(), HasSubstr("525,525,319.5,239.5"));
 }
 
-TEST(NumberedFolder, GivenValuesOverrideTheDefaultsWithoutAWarning) {
+TEST(NumberedFolder, OverridesDefaultsWithoutWarning_WhenOptionsAreGiven) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 2);
   SourceOptions options;
@@ -273,7 +273,7 @@ TEST(NumberedFolder, ReadsOpen3dCameraColumnByColumn) {
   EXPECT_FLOAT_EQ((*source)->next().frame.meters_per_unit, 1.0F / 4000);
 }
 
-TEST(NumberedFolder, WorksWithoutColor) {
+TEST(NumberedFolder, ReadsDepthAlone_WhenColorIsMissing) {
   const TemporaryFolder folder;
   writeImage(folder / "depth" / "00000.png", tinyDepth(1000));
   const auto source = openSource(folder.path().string(), {});
@@ -283,7 +283,7 @@ TEST(NumberedFolder, WorksWithoutColor) {
   EXPECT_TRUE(read.frame.color.empty());
 }
 
-TEST(NumberedFolder, KeepsColorAtItsOwnSize) {
+TEST(NumberedFolder, KeepsColorSize_WhenItDiffersFromDepth) {
   const TemporaryFolder folder;
   writeImage(folder / "depth" / "00000.png", tinyDepth(1000));
   writeImage(folder / "rgb" / "00000.png", tinyColor(7, {2 * kTinyWidth, 2 * kTinyHeight}));
@@ -295,7 +295,7 @@ TEST(NumberedFolder, KeepsColorAtItsOwnSize) {
   EXPECT_FALSE(read.frame.color_camera) << "registered";
 }
 
-TEST(NumberedFolder, TakesColorOfAnotherShapeWithItsCamera) {
+TEST(NumberedFolder, AcceptsAnotherColorShape_WhenItsCameraIsGiven) {
   const TemporaryFolder folder;
   writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
   writeImage(folder / "depth/0.png", tinyDepth(1000));
@@ -313,7 +313,7 @@ TEST(NumberedFolder, TakesColorOfAnotherShapeWithItsCamera) {
   EXPECT_TRUE(read.frame.color_camera->T_color_depth.isApprox(camera.T_color_depth));
 }
 
-TEST(NumberedFolder, TakesPosesFromATrajectoryLog) {
+TEST(NumberedFolder, ReadsPoses_WhenThereIsATrajectoryLog) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 500, 3);  // the log counts from 0
   std::string log;
@@ -340,7 +340,7 @@ TEST(NumberedFolder, FindsTheNumberInAName) {
   EXPECT_EQ(numberInName("99999999999999", DigitRun::last), std::nullopt);
 }
 
-TEST(NumberedFolder, PairsNamesThatCarryTimes) {
+TEST(NumberedFolder, PairsByNumber_WhenNamesAlsoContainTimes) {
   const TemporaryFolder folder;
   for (int i = 1; i < 4; ++i) {  // Redwood's scans: number, then a time that differs between the two cameras
     writeImage(folder / "rgb" / (numbered("%07d", i) + numbered("-%012d.png", i * 33369)), tinyColor(i));

@@ -34,7 +34,7 @@ std::string refusal(const std::string& uri = "freenect", const SourceOptions& op
   return source ? "(opened)" : source.error().message();
 }
 
-TEST(Freenect, GivesDepthInMillimetersAndItsColor) {
+TEST(Freenect, ReturnsDepthInMillimetersAndColor) {
   FakeFreenect fake;
   fake.depthAt(7 * kFrame, 1500);
   fake.colorAt(7 * kFrame + 1000, 200, 100, 50);
@@ -63,7 +63,7 @@ TEST(Freenect, GivesDepthInMillimetersAndItsColor) {
   EXPECT_FALSE(read.frame.color_camera);  // registered
 }
 
-TEST(Freenect, EachDepthImageTakesTheColorNearestInTime) {
+TEST(Freenect, PairsDepthWithTheColorNearestInTime) {
   FakeFreenect fake;
   for (std::uint32_t i = 0; i < 4; ++i) {
     fake.colorAt(i * kFrame + 100'000, static_cast<std::uint8_t>(10 * i), 0, 0);
@@ -80,7 +80,7 @@ TEST(Freenect, EachDepthImageTakesTheColorNearestInTime) {
   }
 }
 
-TEST(Freenect, TimeGoesOnWhereTheTicksBeginAnew) {
+TEST(Freenect, ContinuesTime_WhenTheTicksWrap) {
   FakeFreenect fake;
   const std::uint32_t start = 0U - kFrame;  // the last frame before the ticks begin anew, after 71.6 s
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -99,7 +99,7 @@ TEST(Freenect, TimeGoesOnWhereTheTicksBeginAnew) {
   }
 }
 
-TEST(Freenect, TimeGoesOnForHours) {
+TEST(Freenect, ContinuesTime_WhenRunningForHours) {
   FreenectClock clock;
   std::uint32_t ticks = 4'000'000'000U;
   const double first = clock.depthSeconds(ticks);
@@ -112,7 +112,7 @@ TEST(Freenect, TimeGoesOnForHours) {
   EXPECT_NEAR(last - first, 600 * 30.0, 1e-3);
 }
 
-TEST(Freenect, WithAColorCameraOfItsOwnDepthIsNotRegistered) {
+TEST(Freenect, LeavesDepthUnregistered_WhenAColorCameraIsGiven) {
   FakeFreenect fake;
   fake.depthAt(0, 10'000 - 100);  // the first pixel: 10000, too far
   fake.colorAt(0, 1, 2, 3);
@@ -130,7 +130,7 @@ TEST(Freenect, WithAColorCameraOfItsOwnDepthIsNotRegistered) {
   EXPECT_EQ(read.frame.depth.at<std::uint16_t>(0, 1), 9900);
 }
 
-TEST(Freenect, TakesWhatIsSaidOfTheCamera) {
+TEST(Freenect, UsesIntrinsicsAndScale_WhenOptionsAreGiven) {
   FakeFreenect fake;
   fake.depthAt(0, 5000);
   fake.colorAt(0, 1, 2, 3);
@@ -145,7 +145,7 @@ TEST(Freenect, TakesWhatIsSaidOfTheCamera) {
   EXPECT_THAT(refusal("freenect", options), HasSubstr("--intrinsics"));
 }
 
-TEST(Freenect, ASilentCameraIsATimeoutAndGoesOn) {
+TEST(Freenect, TimesOutAndContinues_WhenTheCameraIsSilent) {
   FakeFreenect fake;
   const auto source = openFake();
   ASSERT_TRUE(source) << source.error().message();
@@ -159,7 +159,7 @@ TEST(Freenect, ASilentCameraIsATimeoutAndGoesOn) {
   EXPECT_EQ((*source)->next().status, Status::frame);
 }
 
-TEST(Freenect, WithoutAnyColorDepthGoesOnAlone) {
+TEST(Freenect, ReturnsDepthAlone_WhenColorNeverArrives) {
   FakeFreenect fake;
   for (std::uint32_t i = 0; i < 60; ++i) fake.depthAt(i * kFrame, static_cast<std::uint16_t>(1000 + i));
   const auto source = openFake();
@@ -173,7 +173,7 @@ TEST(Freenect, WithoutAnyColorDepthGoesOnAlone) {
   EXPECT_EQ(read.frame.depth.at<std::uint16_t>(1, 1), first + 1);
 }
 
-TEST(Freenect, AnUnpluggedCameraIsNamedOnce) {
+TEST(Freenect, FailsOnceWithTheName_WhenTheCameraIsUnplugged) {
   FakeFreenect fake;
   fake.depthAt(0, 1000);
   fake.colorAt(0, 1, 2, 3);
@@ -195,7 +195,7 @@ TEST(Freenect, AnUnpluggedCameraIsNamedOnce) {
   EXPECT_TRUE(fake.isAllClosed());
 }
 
-TEST(Freenect, ClosesInOrder) {
+TEST(Freenect, ClosesInOrder_WhenDestroyed) {
   FakeFreenect fake;
   { ASSERT_TRUE(openFake()); }
   EXPECT_THAT(fake.calls,
@@ -203,7 +203,7 @@ TEST(Freenect, ClosesInOrder) {
   EXPECT_TRUE(fake.isAllClosed());
 }
 
-TEST(Freenect, NoCameraSaysWhatToDo) {
+TEST(Freenect, GivesAdvice_WhenThereIsNoCamera) {
   FakeFreenect fake;
   fake.cameras = 0;
   EXPECT_THAT(refusal(), AllOf(HasSubstr("No Kinect v1 was found"), HasSubstr("power supply"),
@@ -214,14 +214,14 @@ TEST(Freenect, NoCameraSaysWhatToDo) {
   EXPECT_TRUE(fake.isAllClosed());
 }
 
-TEST(Freenect, LibraryThatCannotStartSaysSo) {
+TEST(Freenect, Fails_WhenTheLibraryCannotStart) {
   FakeFreenect fake;
   fake.init_status = -99;
   EXPECT_THAT(refusal(), AllOf(HasSubstr("libfreenect cannot start"), HasSubstr("-99")));
   EXPECT_FALSE(listFreenectCameras(FakeFreenect::api()));
 }
 
-TEST(Freenect, IsChosenByIndexOrSerialNumber) {
+TEST(Freenect, SelectsByIndexOrSerialNumber) {
   FakeFreenect fake;
   fake.cameras = 2;
   { ASSERT_TRUE(openFake("freenect:")); }
@@ -236,7 +236,7 @@ TEST(Freenect, IsChosenByIndexOrSerialNumber) {
               AllOf(HasSubstr("Kinect 0000000000000000 cannot be opened"), HasSubstr("serial")));
 }
 
-TEST(Freenect, OneThatMayNotBeOpenedNamesTheFirstReason) {
+TEST(Freenect, NamesTheFirstReason_WhenOpeningFails) {
   FakeFreenect fake;
   fake.open_status = -1;
   fake.open_message = "Could not open camera: LIBUSB_ERROR_ACCESS\n";
@@ -246,7 +246,7 @@ TEST(Freenect, OneThatMayNotBeOpenedNamesTheFirstReason) {
   EXPECT_TRUE(fake.isAllClosed());
 }
 
-TEST(Freenect, OneThatCannotBeStartedIsClosed) {
+TEST(Freenect, ClosesTheCamera_WhenStartingFails) {
   FakeFreenect fake;
   fake.start_color_status = -1;
   EXPECT_THAT(refusal(), AllOf(HasSubstr("Kinect 0 cannot be started"), HasSubstr("USB port")));
@@ -254,7 +254,7 @@ TEST(Freenect, OneThatCannotBeStartedIsClosed) {
   EXPECT_TRUE(fake.isAllClosed());
 }
 
-TEST(Freenect, ImagesOfAnotherSizeAreRefused) {
+TEST(Freenect, RefusesTheCamera_WhenItsImagesHaveAnotherSize) {
   FakeFreenect fake;
   const freenect_frame_mode right = fake.depth_mode;
   fake.depth_mode.bytes = 422'400;  // packed
@@ -271,7 +271,7 @@ TEST(Freenect, ImagesOfAnotherSizeAreRefused) {
   EXPECT_TRUE(fake.isAllClosed());
 }
 
-TEST(Freenect, AreListed) {
+TEST(Freenect, ListsEveryCamera) {
   FakeFreenect fake;
   fake.cameras = 2;
   const auto cameras = listFreenectCameras(FakeFreenect::api());
@@ -284,7 +284,7 @@ TEST(Freenect, AreListed) {
   EXPECT_TRUE(fake.calls.empty());
 }
 
-TEST(Freenect, TheSourceIsKnownByItsName) {
+TEST(Freenect, RecognizesSourceNames) {
   EXPECT_TRUE(isFreenectUri("freenect"));
   EXPECT_FALSE(isFreenectUri("freenect2"));
   const auto cameras = listFreenectCameras();

@@ -19,7 +19,7 @@ cv::Point2d bent(double u, double v) {
   return {double{kCamera.fx} * bent_x + double{kCamera.cx}, double{kCamera.fy} * bent_y + double{kCamera.cy}};
 }
 
-TEST(Undistorter, StraightensByBrownsEquations) {
+TEST(Undistorter, FollowsBrownsEquations) {
   // An image whose values are their own column and row.
   cv::Mat columns(480, 640, CV_32FC1), rows(480, 640, CV_32FC1);
   for (int v = 0; v < 480; ++v) {
@@ -39,7 +39,7 @@ TEST(Undistorter, StraightensByBrownsEquations) {
   }
 }
 
-TEST(Undistorter, NeverMixesDepths) {
+TEST(Undistorter, KeepsDepthsUnmixed) {
   cv::Mat depth(480, 640, CV_16UC1, cv::Scalar(800));
   depth.colRange(300, 640) = 3000;
   depth.rowRange(200, 220) = 0;
@@ -51,7 +51,7 @@ TEST(Undistorter, NeverMixesDepths) {
   }
 }
 
-TEST(Undistorter, APinholeStaysAsItIs) {
+TEST(Undistorter, ChangesNothing_WhenTheCameraIsAPinhole) {
   cv::Mat depth(480, 640, CV_16UC1);
   cv::randu(depth, 0, 60000);
   EXPECT_EQ(cv::norm(Undistorter({}, kCamera).ofDepth(depth), depth, cv::NORM_INF), 0);

@@ -54,7 +54,7 @@ Reading readAll(std::deque<Eigen::Vector3d> places, const std::optional<Eigen::V
   return reading;
 }
 
-TEST(LocalPoses, TakesWholeMetersAsOrigin_WhenTheFirstPoseIsFarAway) {
+TEST(LocalPoses, SetsOriginInWholeMeters_WhenTheFirstPoseIsFarAway) {
   const Reading reading = readAll({{5600000.25, -3.5, 0.125}, {5600001.5, -3.5, 0.125}});
   EXPECT_EQ(reading.origin, Eigen::Vector3d(5600000, -4, 0));
   EXPECT_THAT(reading.places,
@@ -67,12 +67,12 @@ TEST(LocalPoses, KeepsTheOriginOfTheRecording_WhenTheFirstPoseIsNear) {
   EXPECT_THAT(reading.places, ElementsAre(Eigen::Vector3d(40.25, 1, 2)));
 }
 
-TEST(LocalPoses, KeepsTheOriginOfTheScan_WhenItGoesOn) {
+TEST(LocalPoses, KeepsTheOriginOfTheScan_WhenItContinues) {
   const Reading reading = readAll({{5600002.5, 0, 0}}, Eigen::Vector3d(5600000, -4, 0));
   EXPECT_THAT(reading.places, ElementsAre(Eigen::Vector3d(2.5, 4, 0)));
 }
 
-TEST(LocalPoses, LeavesOutAPose_WhenNoCameraCanHaveIt) {
+TEST(LocalPoses, SkipsAPose_WhenItIsImpossible) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const Reading reading = readAll({{1e12, 0, 0}, {0, 1e300, 0}, {0, 0, kNan}, {1, 1, 1}});
   EXPECT_THAT(reading.places, ElementsAre(Eigen::Vector3d(1, 1, 1)));
@@ -81,19 +81,19 @@ TEST(LocalPoses, LeavesOutAPose_WhenNoCameraCanHaveIt) {
   EXPECT_THAT(reading.refusals[2], HasSubstr("frame 2 is not finite"));
 }
 
-TEST(LocalPoses, LeavesOutAPose_WhenItJumpsAndComesBack) {
+TEST(LocalPoses, SkipsAPose_WhenItJumpsAndReturns) {
   const Reading reading = readAll({{0, 0, 0}, {900, 0, 0}, {1, 0, 0}});
   EXPECT_THAT(reading.places, SizeIs(2));
   ASSERT_THAT(reading.refusals, SizeIs(1));
   EXPECT_THAT(reading.refusals[0], HasSubstr("frame 1 jumps by 900 m"));
 }
 
-TEST(LocalPoses, GoesOnAtAnotherPlace_WhenSeveralFramesAgree) {
+TEST(LocalPoses, ContinuesElsewhere_WhenSeveralFramesAgree) {
   const Reading reading = readAll({{0, 0, 0}, {900, 0, 0}, {901, 0, 0}, {902, 0, 0}, {903, 0, 0}});
   EXPECT_THAT(reading.places, SizeIs(3));
 }
 
-TEST(LocalPoses, LeavesOutAPose_WhenItIsTooFarForOneMap) {
+TEST(LocalPoses, SkipsAPose_WhenItIsTooFarForOneMap) {
   const Reading reading = readAll({{0, 0, 0}, {9000, 0, 0}, {9001, 0, 0}, {9002, 0, 0}, {9003, 0, 0}});
   EXPECT_THAT(reading.places, SizeIs(1));
   EXPECT_THAT(reading.refusals.at(0), HasSubstr("9 km from where the scan began"));

@@ -20,7 +20,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Status = FrameRead::Status;
 
-TEST(VirtualCamera, GivesLiveFrames) {
+TEST(VirtualCamera, ReturnsLiveFrames) {
   const auto source = openSource("camera:Dummy", {});
   ASSERT_TRUE(source) << source.error().message();
   const SourceInfo& info = (*source)->info();
@@ -48,7 +48,7 @@ TEST(VirtualCamera, GivesLiveFrames) {
   EXPECT_GE(last_index, 4);
 }
 
-TEST(VirtualCamera, ItsColorCameraCanBeGiven) {
+TEST(VirtualCamera, UsesAColorCamera_WhenOptionsGiveOne) {
   SourceOptions options;
   options.color_registration = ColorRegistration{kinectColorCamera()};
   const auto source = openSource("camera:Dummy", options);
@@ -65,7 +65,7 @@ TEST(VirtualCamera, ItsColorCameraCanBeGiven) {
   EXPECT_THAT(refused.error().message(), HasSubstr("--color-registration"));
 }
 
-TEST(VirtualCamera, EndsAfterTheFramesAskedForHoweverManyWereDropped) {
+TEST(VirtualCamera, EndsAfterTheRequestedFrames_WhenSomeAreDropped) {
   SourceOptions options;
   options.frames = 2;
   const auto source = openSource("camera:Dummy", options);
@@ -79,7 +79,7 @@ TEST(VirtualCamera, EndsAfterTheFramesAskedForHoweverManyWereDropped) {
   EXPECT_GT(first->dropped, 0);
 }
 
-TEST(VirtualCamera, OpensAgainAfterItWasClosed) {
+TEST(VirtualCamera, Reopens_WhenItWasClosed) {
   for (int i = 0; i < 3; ++i) {
     const auto source = openSource("camera:Dummy", {});
     ASSERT_TRUE(source) << source.error().message();
@@ -87,7 +87,7 @@ TEST(VirtualCamera, OpensAgainAfterItWasClosed) {
   }
 }
 
-TEST(Cameras, TheVirtualOneIsNotListed) {
+TEST(Cameras, OmitTheVirtualCamera_WhenListed) {
   ASSERT_TRUE(openSource("camera:Dummy", {}));
   const auto cameras = listCameras();
   ASSERT_TRUE(cameras) << cameras.error().message();
@@ -100,11 +100,11 @@ TEST(Cameras, TheVirtualOneIsNotListed) {
   }
 }
 
-TEST(Cameras, UnknownUriIsNamedWithAdvice) {
+TEST(Cameras, NameTheUriWithAdvice_WhenItIsUnknown) {
   EXPECT_THAT(openError("camera:1d27/0601@9/99"), AllOf(HasSubstr("1d27/0601@9/99"), HasSubstr("udev")));
 }
 
-TEST(OniRecording, IsReadToItsEnd) {
+TEST(OniRecording, ReadsToItsEnd) {
   SCANTROVE_NEED_RECORDING(path, "oni/kinect-12-frames.oni");
   const auto source = openSource(path.string(), {});
   ASSERT_TRUE(source) << source.error().message();
@@ -145,7 +145,7 @@ TEST(OniRecording, SelectsFrames) {
   EXPECT_THAT(openError(path, options), HasSubstr("has 12 frames"));
 }
 
-TEST(OniRecording, GivesTheSameFramesTwice) {
+TEST(OniRecording, ReturnsTheSameFrames_WhenReadTwice) {
   SCANTROVE_NEED_RECORDING(path, "oni/kinect-12-frames.oni");
   std::vector<double> sums[2];
   for (auto& sum : sums) {

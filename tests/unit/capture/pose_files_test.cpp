@@ -13,7 +13,7 @@ namespace {
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-TEST(TumTrajectory, IsSortedNormalizedAndLeavesNanOut) {
+TEST(TumTrajectory, SortsNormalizesAndSkipsNan) {
   const TemporaryFolder folder;
   const auto file = folder.write("t.txt",
                                  "# comment\n\n2.5 1 2 3 0 0 2 2\r\n1.5 0 0 0 0 0 0 1\n"
@@ -28,7 +28,7 @@ TEST(TumTrajectory, IsSortedNormalizedAndLeavesNanOut) {
   EXPECT_TRUE((*trajectory)[1].T_world_camera.linear().isApprox(quarter_turn, 1e-12));
 }
 
-TEST(TumTrajectory, NamesTheBadLineAndTheMissingFile) {
+TEST(TumTrajectory, NamesLineOrFile_WhenMalformedOrMissing) {
   const TemporaryFolder folder;
   const auto bad = readTumTrajectory(folder.write("bad.txt", "1 0 0 0 0 0 0 1\n2 0 0 0\n"));
   ASSERT_FALSE(bad);

@@ -51,7 +51,7 @@ bool eventually(const std::function<bool()>& condition) {
   return condition();
 }
 
-TEST(ReadAhead, GivesEveryRecordedFrameInOrderAndThenEnds) {
+TEST(ReadAhead, ReturnsEveryRecordedFrameInOrderAndEnds) {
   std::atomic<int> calls = 0;
   ReadAhead reader(std::make_unique<FakeSource>(
       false, [](int call) { return call < 100 ? frameNumber(call) : statusOnly(Status::end); }, calls));
@@ -66,7 +66,7 @@ TEST(ReadAhead, GivesEveryRecordedFrameInOrderAndThenEnds) {
   EXPECT_EQ(calls, 101);
 }
 
-TEST(ReadAhead, GivesWhatIsReadyWithoutWaiting) {
+TEST(ReadAhead, ReturnsAtOnce_WhenAskedForReadyFrames) {
   std::atomic<int> calls = 0;
   std::atomic<bool> may_continue = false;
   ReadAhead reader(std::make_unique<FakeSource>(
@@ -89,7 +89,7 @@ TEST(ReadAhead, GivesWhatIsReadyWithoutWaiting) {
   EXPECT_EQ(reader.next().status, Status::end);
 }
 
-TEST(ReadAhead, ReadsNoFurtherThanItsQueue) {
+TEST(ReadAhead, StopsReading_WhenItsQueueIsFull) {
   std::atomic<int> calls = 0;
   ReadAhead reader(std::make_unique<FakeSource>(false, frameNumber, calls), 4);
   EXPECT_TRUE(eventually([&] { return calls == 5; }));  // four queued, one in hand
@@ -99,7 +99,7 @@ TEST(ReadAhead, ReadsNoFurtherThanItsQueue) {
   EXPECT_TRUE(eventually([&] { return calls == 6; }));
 }
 
-TEST(ReadAhead, IsDestroyedWhileItsThreadWaitsForRoom) {
+TEST(ReadAhead, EndsItsThread_WhenDestroyedWithAFullQueue) {
   std::atomic<int> calls = 0;
   {
     const ReadAhead reader(std::make_unique<FakeSource>(false, frameNumber, calls), 2);
@@ -108,7 +108,7 @@ TEST(ReadAhead, IsDestroyedWhileItsThreadWaitsForRoom) {
   EXPECT_EQ(calls, 3);
 }
 
-TEST(ReadAhead, CancelWakesAWaitingReader) {
+TEST(ReadAhead, WakesAWaitingReader_WhenCanceled) {
   std::atomic<int> calls = 0;
   std::atomic<bool> is_released = false;
   ReadAhead reader(std::make_unique<FakeSource>(
@@ -126,7 +126,7 @@ TEST(ReadAhead, CancelWakesAWaitingReader) {
   is_released = true;
 }
 
-TEST(ReadAhead, LiveKeepsOnlyTheNewestAndCountsTheRest) {
+TEST(ReadAhead, KeepsTheNewestAndCountsDropped_WhenLive) {
   std::atomic<int> calls = 0;
   std::atomic<int> allowed = 10;
   ReadAhead reader(std::make_unique<FakeSource>(
@@ -149,7 +149,7 @@ TEST(ReadAhead, LiveKeepsOnlyTheNewestAndCountsTheRest) {
   EXPECT_EQ(reader.next().status, Status::failed);
 }
 
-TEST(ReadAhead, LiveTimeoutsArePassedOnButReplaceNothing) {
+TEST(ReadAhead, PassesTimeoutsWithoutReplacingFrames_WhenLive) {
   std::atomic<int> calls = 0;
   std::atomic<int> allowed = 2;
   ReadAhead reader(std::make_unique<FakeSource>(
@@ -166,7 +166,7 @@ TEST(ReadAhead, LiveTimeoutsArePassedOnButReplaceNothing) {
   allowed = 1'000'000;
 }
 
-TEST(ReadAhead, AnExceptionBecomesAFailure) {
+TEST(ReadAhead, Fails_WhenTheSourceThrows) {
   std::atomic<int> calls = 0;
   ReadAhead reader(std::make_unique<FakeSource>(
       false, [](int call) { return call == 0 ? frameNumber(0) : throw std::runtime_error("decoder broke"); },

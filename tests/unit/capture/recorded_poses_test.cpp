@@ -5,7 +5,7 @@
 namespace scantrove {
 namespace {
 
-TEST(PoseAt, InterpolatesSmallGapsOnly) {
+TEST(PoseAt, InterpolatesOnly_WhenTheGapIsSmall) {
   Trajectory trajectory(3);
   trajectory[0].timestamp_s = 1.00;
   trajectory[1].timestamp_s = 1.08;

@@ -51,24 +51,24 @@ int expectWholeRecording(const std::filesystem::path& path, int frame_count, con
   return posed;
 }
 
-TEST(Recordings, SevenScenesKitchen) {
+TEST(Recordings, ReadsSevenScenesKitchen) {
   SCANTROVE_NEED_RECORDING(path, "kitchen");
   EXPECT_EQ(expectWholeRecording(path, 500, "7-Scenes"), 500);
 }
 
-TEST(Recordings, TumDesk) {
+TEST(Recordings, ReadsTumDesk) {
   SCANTROVE_NEED_RECORDING(path, "desk");
   EXPECT_EQ(expectWholeRecording(path, 110, "TUM RGB-D"), 110);
   const auto source = openSource(path.string(), {});
   EXPECT_EQ((*source)->info().intrinsics, (Intrinsics{517.3F, 516.5F, 318.6F, 255.3F, 640, 480}));
 }
 
-TEST(Recordings, RedwoodLivingRoom) {
+TEST(Recordings, ReadsRedwoodLivingRoom) {
   SCANTROVE_NEED_RECORDING(path, "redwood");
   EXPECT_EQ(expectWholeRecording(path, 211, "numbered images"), 211);
 }
 
-TEST(Recordings, TableTopPhotographsAsNumberedFolder) {
+TEST(Recordings, ReadsTableTopPhotographsAsNumberedFolder) {
   SCANTROVE_NEED_RECORDING(path, "mosd");
   const TemporaryFolder folder;
   for (const char* const kind : {"color", "depth"}) {

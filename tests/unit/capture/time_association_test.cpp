@@ -48,7 +48,7 @@ Times someTimes(std::mt19937& random, std::size_t count, int steps) {
   return times;
 }
 
-TEST(TimeAssociation, GivesThePairsOfAFullSearch) {
+TEST(TimeAssociation, ReturnsThePairsOfAFullSearch) {
   std::mt19937 random(7);
   for (int round = 0; round < 400; ++round) {
     const int steps = 1 + round % 40;

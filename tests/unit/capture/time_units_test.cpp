@@ -58,7 +58,7 @@ void expectFramesOfList(const TemporaryFolder& folder, double first_s) {
   }
 }
 
-TEST(TimeUnits, AreToldByTheSpacingOfImagesAndSaidOnce) {
+TEST(TimeUnits, WarnsOnce_WhenImageSpacingShowsOtherUnits) {
   for (const auto& [units, word] :
        {std::pair{1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}) {
     for (const double first_s : {1305031229.0, 0.0, 1200.0}) {
@@ -72,7 +72,7 @@ TEST(TimeUnits, AreToldByTheSpacingOfImagesAndSaidOnce) {
   }
 }
 
-TEST(TimeUnits, OfSecondsAreNotSpokenOf) {
+TEST(TimeUnits, WarnsOfNothing_WhenTimesAreSeconds) {
   for (const double first_s : {1305031229.0, 0.0}) {
     const TemporaryFolder folder;
     writeTimedLists(folder, first_s, 1, 1);
@@ -82,7 +82,7 @@ TEST(TimeUnits, OfSecondsAreNotSpokenOf) {
   }
 }
 
-TEST(TimeUnits, OfPosesMayBeOthersThanOfImages) {
+TEST(TimeUnits, PairsPosesWithImages_WhenTheirUnitsDiffer) {
   for (const double first_s : {1305031229.0, 0.0}) {
     const TemporaryFolder folder;
     writeTimedLists(folder, first_s, 1e9, 1);
@@ -93,7 +93,7 @@ TEST(TimeUnits, OfPosesMayBeOthersThanOfImages) {
   }
 }
 
-TEST(TimeUnits, OfAWideListOfSecondsStaySeconds) {
+TEST(TimeUnits, KeepsSeconds_WhenImagesAreSecondsApart) {
   const TemporaryFolder folder;
   folder.write("depth.txt", "1305031229.5 depth/0.png\n1305031241.5 depth/1.png\n1305031252.5 depth/2.png\n");
   for (int i = 0; i < 3; ++i) writeImage(folder / "depth" / numbered("%d.png", i), tinyDepth(5000));
@@ -102,7 +102,7 @@ TEST(TimeUnits, OfAWideListOfSecondsStaySeconds) {
   EXPECT_DOUBLE_EQ(readAll(**source)[2].frame.timestamp_s, 1305031252.5);
 }
 
-TEST(NumberedFolder, PairsEqualNamesThatAreTimes) {
+TEST(NumberedFolder, PairsEqualNames_WhenTheyAreTimes) {
   const TemporaryFolder folder;
   const std::vector<std::string> names = {"1581120424100262102", "1581120424133595435",
                                           "1581120424166928768"};
@@ -124,7 +124,7 @@ TEST(NumberedFolder, PairsEqualNamesThatAreTimes) {
   EXPECT_EQ(timesFound(log.text(), "nanoseconds"), 1U) << log.text();
 }
 
-TEST(NumberedFolder, OrdersNamesThatAreSecondsByTime) {
+TEST(NumberedFolder, OrdersByTime_WhenNamesAreSeconds) {
   const TemporaryFolder folder;
   const std::vector<std::string> names = {"1305031229.966", "1305031229.999", "1305031230.033"};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -141,7 +141,7 @@ TEST(NumberedFolder, OrdersNamesThatAreSecondsByTime) {
   }
 }
 
-TEST(NumberedFolder, PairsEqualNamesOfAnyText) {
+TEST(NumberedFolder, PairsEqualNames_WhenTheyAreText) {
   const TemporaryFolder folder;
   const std::vector<std::string> names = {"left", "küche", "two words", "2024-05-01T12-30-15Z"};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -163,7 +163,7 @@ TEST(NumberedFolder, PairsEqualNamesOfAnyText) {
   EXPECT_THAT(log.text(), HasSubstr("5 colour and 4 depth images"));
 }
 
-TEST(NumberedFolder, OrdersEqualNamesAsPeopleCount) {
+TEST(NumberedFolder, OrdersByNumberValue_WhenNamesAreEqual) {
   const TemporaryFolder folder;
   for (const int part : {1, 2}) {
     for (const int number : {2, 10}) {
@@ -181,7 +181,7 @@ TEST(NumberedFolder, OrdersEqualNamesAsPeopleCount) {
     EXPECT_EQ(reads[i].frame.depth.at<std::uint16_t>(5, 5), expected[i]) << i;
 }
 
-TEST(NumberedFolder, TakesDepthAloneWhateverTheNames) {
+TEST(NumberedFolder, ReadsDepth_WhenThereIsNoColorFolder) {
   const TemporaryFolder folder;
   writeImage(folder / "depth" / "1581120424100262102.png", tinyDepth(1000));
   writeImage(folder / "depth" / "1581120424133595435.png", tinyDepth(1001));
@@ -190,7 +190,7 @@ TEST(NumberedFolder, TakesDepthAloneWhateverTheNames) {
   EXPECT_EQ(readAll(**source).size(), 2U);
 }
 
-TEST(NumberedFolder, SaysWhatPairs_WhenNothingDoes) {
+TEST(NumberedFolder, ExplainsPairing_WhenNothingPairs) {
   const TemporaryFolder folder;
   writeImage(folder / "rgb" / "a.png", tinyColor(7));
   writeImage(folder / "depth" / "b.png", tinyDepth(1000));
@@ -198,7 +198,7 @@ TEST(NumberedFolder, SaysWhatPairs_WhenNothingDoes) {
               testing::AllOf(HasSubstr("a.png"), HasSubstr("b.png"), HasSubstr("same name")));
 }
 
-TEST(Intrinsics, OfACamKFileInTheFolderOrBesideIt) {
+TEST(Intrinsics, ReadsCamKFile_WhenInTheFolderOrItsParent) {
   for (const char* const place : {"recording/cam_K.txt", "cam_K.txt"}) {
     SCOPED_TRACE(place);
     const TemporaryFolder folder;
@@ -212,7 +212,7 @@ TEST(Intrinsics, OfACamKFileInTheFolderOrBesideIt) {
   }
 }
 
-TEST(Intrinsics, OfScanNetsFolderAreThoseOfDepthAndColor) {
+TEST(Intrinsics, ReadsDepthAndColor_WhenTheFolderIsScanNets) {
   const TemporaryFolder folder;
   writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
   writeImage(folder / "depth/0.png", tinyDepth(1000));
@@ -228,7 +228,7 @@ TEST(Intrinsics, OfScanNetsFolderAreThoseOfDepthAndColor) {
   EXPECT_TRUE(read.frame.color_camera->T_color_depth.isApprox(Eigen::Isometry3d::Identity()));
 }
 
-TEST(Intrinsics, OfATumFolderAreInItsFileToo) {
+TEST(Intrinsics, ReadsCamKFile_WhenTheFolderIsTums) {
   const TemporaryFolder folder;
   writeTimedLists(folder, 1305031229, 1, 1);
   folder.write("rgb.txt", "1305031229.005 rgb/0.png\n");
@@ -240,7 +240,7 @@ TEST(Intrinsics, OfATumFolderAreInItsFileToo) {
   EXPECT_THAT(log.text(), IsEmpty());
 }
 
-TEST(Intrinsics, OfABrokenFileAreNamed) {
+TEST(Intrinsics, NamesTheFile_WhenItIsBroken) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 1);
   folder.write("cam_K.txt", "51 0 31\n0 52\n");
@@ -252,7 +252,7 @@ TEST(Intrinsics, OfABrokenFileAreNamed) {
   EXPECT_THAT(openError(folder.path()), HasSubstr("intrinsic_depth.txt"));
 }
 
-TEST(ByteOrderMark, OfListsAndCameraFilesIsNoPartOfThem) {
+TEST(ByteOrderMark, IsIgnored_WhenListsAndCameraFilesBeginWithIt) {
   const std::string mark = "\xEF\xBB\xBF";
   const TemporaryFolder folder;
   writeTimedLists(folder, 1305031229, 1, 1);

@@ -21,7 +21,7 @@ Trajectory someTrajectory() {
   return poses;
 }
 
-TEST(Trajectory, TumReadsBackEqual) {
+TEST(Trajectory, ReadsBackEqual_WhenWrittenAsTum) {
   const TemporaryFolder folder;
   const Trajectory written = someTrajectory();
   ASSERT_TRUE(writeTumTrajectory(folder / "trajectory.txt", written));
@@ -34,7 +34,7 @@ TEST(Trajectory, TumReadsBackEqual) {
   }
 }
 
-TEST(Trajectory, TumLineOfAKnownPose) {
+TEST(Trajectory, WritesTheTumLineOfAKnownPose) {
   const TemporaryFolder folder;
   StampedPose pose;
   pose.timestamp_s = 0.5;
@@ -59,7 +59,7 @@ TEST(Trajectory, KeepsTenthsOfMicrometersAtUtmCoordinates) {
   EXPECT_LT((read->front().T_world_camera.translation() - at).norm(), 1e-7);
 }
 
-TEST(Trajectory, SortsByTimeAndLeavesOutPosesThatAreNotFinite) {
+TEST(Trajectory, SortsByTimeAndSkipsPosesThatAreNotFinite) {
   const TemporaryFolder folder;
   const auto path = folder.write("t.txt",
                                  "# comment\n2.0 1 0 0 0 0 0 1 # late\n\n1.0 2 0 0 0 0 0 2\n"
@@ -71,7 +71,7 @@ TEST(Trajectory, SortsByTimeAndLeavesOutPosesThatAreNotFinite) {
   EXPECT_TRUE((*read)[0].T_world_camera.linear().isApprox(Eigen::Matrix3d::Identity()));
 }
 
-TEST(Trajectory, ReadsPosesOfA7ScenesFolder) {
+TEST(Trajectory, ReadsPoses_WhenTheFolderIs7Scenes) {
   const TemporaryFolder folder;
   const std::string matrix = "1 0 0 0.25\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
   folder.write("frame-000030.pose.txt", matrix);
@@ -85,7 +85,7 @@ TEST(Trajectory, ReadsPosesOfA7ScenesFolder) {
   EXPECT_EQ((*read)[1].T_world_camera.translation().x(), 0.25);
 }
 
-TEST(Trajectory, ReadsALogOneFolderBelow) {
+TEST(Trajectory, ReadsALog_WhenItIsInASubfolder) {
   const TemporaryFolder folder;
   folder.write("test_scene/trajectory.log",
                "0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n3 3 4\n1 0 0 7\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
@@ -105,7 +105,7 @@ TEST(Trajectory, ReadsNanosecondsAsSeconds) {
   EXPECT_NEAR((*read)[1].timestamp_s - (*read)[0].timestamp_s, 0.05, 1e-6);
 }
 
-TEST(Trajectory, TakesTimesOfFewPosesAndCountedFramesAsTheyAre) {
+TEST(Trajectory, KeepsTimes_WhenPosesAreFewOrFramesAreCounted) {
   const TemporaryFolder folder;
   for (const char* later : {"10", "600", "0.0005"}) {
     const auto read =
@@ -115,7 +115,7 @@ TEST(Trajectory, TakesTimesOfFewPosesAndCountedFramesAsTheyAre) {
   }
 }
 
-TEST(Trajectory, ReadsTextThatBeginsWithAByteOrderMark) {
+TEST(Trajectory, ReadsText_WhenItBeginsWithAByteOrderMark) {
   const TemporaryFolder folder;
   const std::string matrix = "1 0 0 0.25\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
   for (const auto& [name, text] : {std::pair<std::string, std::string>{"t.txt", "1 0.25 0 0 0 0 0 1\n"},
@@ -132,14 +132,14 @@ TEST(Trajectory, ReadsTextThatBeginsWithAByteOrderMark) {
   }
 }
 
-TEST(Trajectory, NamesTextOfSixteenBits) {
+TEST(Trajectory, NamesTheFile_WhenItIsUtf16) {
   const TemporaryFolder folder;
   const auto bad = readTrajectory(folder.write("t.txt", std::string("\xFF\xFE\x31\0\x20\0", 6)));
   ASSERT_FALSE(bad);
   EXPECT_NE(bad.error().message().find("UTF-8"), std::string::npos) << bad.error().message();
 }
 
-TEST(Trajectory, SaysWhichLineIsNotUnderstood) {
+TEST(Trajectory, NamesTheLine_WhenItIsMalformed) {
   const TemporaryFolder folder;
   const auto bad = readTrajectory(folder.write("t.txt", "1 0 0 0 0 0 0 1\n2 0 0\n"));
   ASSERT_FALSE(bad);

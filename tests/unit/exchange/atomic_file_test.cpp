@@ -36,7 +36,7 @@ int filesIn(const fs::path& folder) {
   return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-TEST(AtomicFile, WritesAndReplacesWholeFiles) {
+TEST(AtomicFile, WritesAndReplacesCompleteFiles) {
   const TemporaryFolder folder;
   const fs::path path = folder / "report.json";
   ASSERT_TRUE(writeFileAtomically(path, "first"));
@@ -56,7 +56,7 @@ TEST(AtomicFile, FlushesFileAndFolder_WhenAFileIsReplaced) {
   EXPECT_EQ(flushes, 2);
 }
 
-TEST(AtomicFile, WritesOnePieceAfterTheOther) {
+TEST(AtomicFile, WritesAllPieces_WhenStreamed) {
   const TemporaryFolder folder;
   std::array<std::string_view, 4> pieces{"one ", "two ", "three", ""};
   int asked = 0;
@@ -68,7 +68,7 @@ TEST(AtomicFile, WritesOnePieceAfterTheOther) {
   EXPECT_EQ(readText(folder / "b.txt"), "");
 }
 
-TEST(AtomicFile, NamesThePathAndTheReasonOfAFolderThatIsMissing) {
+TEST(AtomicFile, NamesPathAndReason_WhenTheFolderIsMissing) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "missing" / "a.txt";
   const auto result = writeFileAtomically(path, "x");
@@ -78,7 +78,7 @@ TEST(AtomicFile, NamesThePathAndTheReasonOfAFolderThatIsMissing) {
   EXPECT_FALSE(result.error().advice.empty());
 }
 
-TEST(AtomicFile, ADiskThatFillsUpLeavesTheOldFile) {
+TEST(AtomicFile, KeepsTheOldFile_WhenTheDiskFillsUp) {
   const TemporaryFolder folder;
   const fs::path path = folder / "big.bin";
   ASSERT_TRUE(writeFileAtomically(path, "old"));
@@ -97,7 +97,7 @@ TEST(AtomicFile, ADiskThatFillsUpLeavesTheOldFile) {
   EXPECT_EQ(filesIn(folder.path()), 1);
 }
 
-TEST(OutputFolder, IsMadeWithItsParents) {
+TEST(OutputFolder, IsCreatedWithItsParents) {
   const TemporaryFolder folder;
   ASSERT_TRUE(prepareOutputFolder(folder.path() / "a" / "b"));
   EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "b"));
@@ -105,7 +105,7 @@ TEST(OutputFolder, IsMadeWithItsParents) {
   EXPECT_TRUE(prepareOutputFolder(folder.path() / "a" / "b"));
 }
 
-TEST(OutputFolder, BelowAFileIsRefusedWithItsName) {
+TEST(OutputFolder, IsRefusedByName_WhenItsParentIsAFile) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("file", "x");
   const auto result = prepareOutputFolder(file / "out");
@@ -113,14 +113,14 @@ TEST(OutputFolder, BelowAFileIsRefusedWithItsName) {
   EXPECT_NE(result.error().what.find((file / "out").string()), std::string::npos);
 }
 
-TEST(OutputFolder, ThatCannotBeWrittenToIsRefused) {
+TEST(OutputFolder, IsRefused_WhenNotWritable) {
   // Permissions do not bind the superuser; nobody creates files in /proc.
   const auto result = prepareOutputFolder("/proc");
   ASSERT_FALSE(result);
   EXPECT_NE(result.error().what.find("/proc"), std::string::npos);
 }
 
-TEST(OutputFolder, LosesWhatAKilledRunLeft) {
+TEST(OutputFolder, RemovesPartFiles_WhenTheirRunWasKilled) {
   const TemporaryFolder folder;
   const fs::path left = makePartName(folder / "report.json"), held = makePartName(folder / "cloud.ply");
   for (const fs::path& part : {left, held}) folder.write(part.filename().string(), "half");
@@ -134,7 +134,7 @@ TEST(OutputFolder, LosesWhatAKilledRunLeft) {
   EXPECT_FALSE(fs::exists(held));
 }
 
-TEST(OutputFolderTest, KeepsFilesOfOthers_WhenTheyAreNamedLikeAPart) {
+TEST(OutputFolderTest, KeepsForeignFiles_WhenNamedLikeAPart) {
   const TemporaryFolder folder;
   std::string changed = makePartName(folder / "report.json").filename().string();
   changed[1] = 'R';
@@ -153,7 +153,7 @@ TEST(OutputFolderTest, KeepsFilesOfOthers_WhenTheyAreNamedLikeAPart) {
   EXPECT_EQ(readText(folder / ".notes.part"), "somebody else's");
 }
 
-TEST(AtomicFileTest, WritesThroughNoLink_WhenOneWaitsAtThePredictableName) {
+TEST(AtomicFileTest, WritesThroughNoLink_WhenOneExistsAtThePredictableName) {
   const TemporaryFolder folder;
   const fs::path victim = folder.write("victim", "untouched");
   for (int i = 0; i < 100; ++i)
@@ -164,7 +164,7 @@ TEST(AtomicFileTest, WritesThroughNoLink_WhenOneWaitsAtThePredictableName) {
   EXPECT_EQ(readText(folder / "a.txt"), "x");
 }
 
-TEST(PartNameTest, IsNeverTheSame_WhenMadeTwice) {
+TEST(PartNameTest, IsUnique_WhenMadeTwice) {
   EXPECT_NE(makePartName("a/b.txt"), makePartName("a/b.txt"));
   EXPECT_TRUE(isPartName(makePartName("a/b.txt").filename().string()));
   EXPECT_FALSE(isPartName(".part"));
@@ -172,7 +172,7 @@ TEST(PartNameTest, IsNeverTheSame_WhenMadeTwice) {
 }
 
 // The names of part files and of what is looked for must stay the same.
-TEST(OutputFolder, LosesTheFileThatAKilledWriterLeft) {
+TEST(OutputFolder, RemovesThePartFile_WhenItsWriterWasKilled) {
   const TemporaryFolder folder;
   const pid_t child = fork();
   if (child == 0) {
@@ -189,7 +189,7 @@ TEST(OutputFolder, LosesTheFileThatAKilledWriterLeft) {
   EXPECT_EQ(filesIn(folder.path()), 0);
 }
 
-TEST(OutputFolder, WithAFolderInAResultsPlaceIsRefused) {
+TEST(OutputFolder, IsRefused_WhenAFolderBlocksAResult) {
   const TemporaryFolder folder;
   folder.write("report.json", "old");
   fs::create_directory(folder / "cloud.ply");

@@ -43,7 +43,7 @@ LabeledCloud fromPcl(const PclCloud& cloud) {
   return points;
 }
 
-TEST(CloudWriter, PcdReadsBackEqual) {
+TEST(CloudWriter, ReadsBackEqual_WhenWrittenAsPcd) {
   const TemporaryFolder folder;
   const auto points = somePoints();
   ASSERT_TRUE(writePcd(folder / "cloud.pcd", points));
@@ -55,7 +55,7 @@ TEST(CloudWriter, PcdReadsBackEqual) {
   EXPECT_NE(header.find("DATA binary\n"), std::string::npos);
 }
 
-TEST(CloudWriter, PcdTellsWhereItWasSeenFrom) {
+TEST(CloudWriter, WritesTheViewpointToPcd) {
   const TemporaryFolder folder;
   const Eigen::Isometry3d viewpoint = test::pose(10, -20, 30, 1, -2, 0.5);
   const LabeledCloud points = somePoints();
@@ -68,7 +68,7 @@ TEST(CloudWriter, PcdTellsWhereItWasSeenFrom) {
   EXPECT_LT((cloud.sensor_orientation_.toRotationMatrix().cast<double>() - viewpoint.linear()).norm(), 1e-5);
 }
 
-TEST(CloudWriter, PlyReadsBackEqual) {
+TEST(CloudWriter, ReadsBackEqual_WhenWrittenAsPly) {
   const TemporaryFolder folder;
   const auto points = somePoints();
   ASSERT_TRUE(writePly(folder / "cloud.ply", points));
@@ -104,7 +104,7 @@ TEST(CloudWriter, WritesDoubles_WhenTheOriginIsFarAway) {
   }
 }
 
-TEST(CloudWriter, AreTheSameInManyPieces) {
+TEST(CloudWriter, ReadsBackEqual_WhenWrittenInManyPieces) {
   const TemporaryFolder folder;
   const LabeledCloud points = somePoints(40000);
   ASSERT_TRUE(writePcd(folder / "cloud.pcd", points));
@@ -116,7 +116,7 @@ TEST(CloudWriter, AreTheSameInManyPieces) {
   EXPECT_EQ(fromPcl(ply), points);
 }
 
-TEST(CloudWriter, AnEmptyCloudIsAFileWithoutPoints) {
+TEST(CloudWriter, WritesAFileWithoutPoints_WhenTheCloudIsEmpty) {
   const TemporaryFolder folder;
   ASSERT_TRUE(writePcd(folder / "cloud.pcd", {}));
   ASSERT_TRUE(writePly(folder / "cloud.ply", {}));
@@ -127,7 +127,7 @@ TEST(CloudWriter, AnEmptyCloudIsAFileWithoutPoints) {
   EXPECT_NE(test::readText(folder / "cloud.ply").find("element vertex 0\n"), std::string::npos);
 }
 
-TEST(CloudWriter, FailsWithThePathAndLeavesNothing) {
+TEST(CloudWriter, NamesThePathAndLeavesNothing_WhenWritingFails) {
   const TemporaryFolder folder;
   const auto file = folder.write("file", "x");
   for (const auto& result :
@@ -138,7 +138,7 @@ TEST(CloudWriter, FailsWithThePathAndLeavesNothing) {
   EXPECT_EQ(test::readText(file), "x");
 }
 
-TEST(CloudWriter, AFullDiskIsToldInTheSystemsWords) {
+TEST(CloudWriter, ReportsTheSystemsReason_WhenTheDiskIsFull) {
   const TemporaryFolder folder;
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);

@@ -27,7 +27,7 @@ TEST(LabelImage, KeepsAllSixteenBits) {
   }
 }
 
-TEST(LabelImage, IsWhatWasWrittenWhateverItsSizeAndPattern) {
+TEST(LabelImage, ReadsBackEqual_WhenSizesAndPatternsDiffer) {
   const TemporaryFolder folder;
   cv::RNG random(5);
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 7), cv::Size(9, 1), cv::Size(53, 37)}) {
@@ -55,7 +55,7 @@ TEST(LabelImage, IsWhatWasWrittenWhateverItsSizeAndPattern) {
   }
 }
 
-TEST(LabelImage, RefusesAnIdThatDoesNotFit) {
+TEST(LabelImage, RefusesAnId_WhenItExceedsSixteenBits) {
   const TemporaryFolder folder;
   const std::vector<std::uint32_t> labels{0, 65536};
   const auto result = writeLabelImage(folder / "a.png", labels, {2, 1});
@@ -64,7 +64,7 @@ TEST(LabelImage, RefusesAnIdThatDoesNotFit) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
-TEST(LabelImage, ReadingSaysWhatIsWrong) {
+TEST(LabelImage, NamesTheFile_WhenItIsNoLabelImage) {
   const TemporaryFolder folder;
   EXPECT_NE(readLabelImage(folder / "none.png").error().what.find("none.png"), std::string::npos);
   const auto text = readLabelImage(folder.write("text.png", "not an image"));
@@ -95,7 +95,7 @@ TEST(LabelMap, MapsRegionsToColorObjectAndName) {
   EXPECT_TRUE(nlohmann::json::parse(test::readText(folder / "empty.json")).is_object());
 }
 
-TEST(RegionPalette, GivesNeighboringRegionsColorsThatDiffer) {
+TEST(RegionPalette, SeparatesColorsOfNeighboringIds) {
   EXPECT_EQ(regionColor(RegionId{5}), regionColor(RegionId{5}));
   std::set<std::array<std::uint8_t, 3>> colors;
   for (std::uint32_t id = 0; id < 200; ++id) {

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(RecordingWriter, AFolderIsOfOneRecordingAtATime) {
+TEST(RecordingWriter, RefusesTheFolder_WhenAnotherRecordingUsesIt) {
   const test::TemporaryFolder folder;
   std::optional<Result<RecordingWriter>> first = RecordingWriter::create(folder / "out", {});
   ASSERT_TRUE(*first) << first->error().message();
@@ -24,7 +24,7 @@ TEST(RecordingWriter, AFolderIsOfOneRecordingAtATime) {
   EXPECT_TRUE(RecordingWriter::create(folder / "out", {})) << "that one recorded nothing";
 }
 
-TEST(RecordingWriter, KeepsAFileThatSomebodyPutBesideTheRecording) {
+TEST(RecordingWriter, KeepsAForeignFile_WhenItsNameIsNeeded) {
   const test::TemporaryFolder folder;
   Result<RecordingWriter> writer = RecordingWriter::create(folder / "out", {});
   ASSERT_TRUE(writer);

@@ -13,7 +13,7 @@ Footprint rectangle(double x, double y, double half_x, double half_y, double yaw
 
 Footprint disc(double x, double y, double radius) { return {{x, y}, {0, 0}, 0, radius}; }
 
-TEST(Footprint, DistanceOfRectanglesAndDiscs) {
+TEST(Footprint, MeasuresDistancesOfRectanglesAndDiscs) {
   EXPECT_NEAR(distance(rectangle(0, 0, 1, 1), rectangle(3, 0, 1, 1)), 1, 1e-12);
   EXPECT_NEAR(distance(rectangle(0, 0, 1, 1), rectangle(5, 6, 1, 1)), std::hypot(3, 4), 1e-12);
   EXPECT_NEAR(distance(disc(0, 0, 0.5), disc(3, 4, 0.5)), 4, 1e-12);
@@ -27,7 +27,7 @@ TEST(Footprint, DistanceOfRectanglesAndDiscs) {
   EXPECT_LT(distance(rectangle(0, 0, 1, 0.1), rectangle(0, 0, 0.1, 1)), 0) << "a cross: no corner is inside";
 }
 
-TEST(Footprint, ContainsWhatLiesWithin) {
+TEST(Footprint, ContainsAnother_WhenItLiesInside) {
   const Footprint table = rectangle(1, 1, 1, 0.5, 90);  // turned: 0.5 along x, 1 along y
   EXPECT_TRUE(contains(table, rectangle(1, 1.5, 0.4, 0.4)));
   EXPECT_FALSE(contains(table, rectangle(1.5, 1, 0.4, 0.4)));
@@ -35,14 +35,14 @@ TEST(Footprint, ContainsWhatLiesWithin) {
   EXPECT_FALSE(contains(table, disc(1, 1.7, 0.31)));
 }
 
-TEST(Footprint, IsPlacedWithItsFrame) {
+TEST(Footprint, MovesAndTurns_WhenPlaced) {
   const Footprint placed = Footprint{{1, 0}, {0.2, 0.1}, 10, 0}.placedAt(5, 5, 90);
   EXPECT_NEAR(placed.center.x(), 5, 1e-12);
   EXPECT_NEAR(placed.center.y(), 6, 1e-12);
   EXPECT_NEAR(placed.yaw_deg, 100, 1e-12);
 }
 
-TEST(Volume, TouchingIsNotOverlapping) {
+TEST(Volume, OverlapsNothing_WhenOnlyTouching) {
   const Volume lower{rectangle(0, 0, 1, 1), 0, 0.5};
   EXPECT_FALSE(lower.overlapsInHeight({rectangle(0, 0, 1, 1), 0.5, 1}));
   EXPECT_TRUE(lower.overlapsInHeight({rectangle(0, 0, 1, 1), 0.49, 1}));

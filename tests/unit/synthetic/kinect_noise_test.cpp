@@ -98,7 +98,7 @@ TEST(KinectNoise, EdgesAreRagged) {
   EXPECT_LT(dropped + displaced, 480 * 2) << "only the pixels next to the edge";
 }
 
-TEST(KinectNoise, GrazingSurfacesVanish) {
+TEST(KinectNoise, LosesReadings_WhenSurfacesAreGrazing) {
   const auto seen = [](float cosine) {
     return cv::countNonZero(measureDepth(constantImage(1.5F), constantImage(cosine), kK, {}, 1, 0));
   };
@@ -108,13 +108,13 @@ TEST(KinectNoise, GrazingSurfacesVanish) {
   EXPECT_EQ(seen(0.05F), 0);
 }
 
-TEST(KinectNoise, NothingTooCloseOrTooFarOrMissing) {
+TEST(KinectNoise, HasNoReading_WhenTooNearTooFarOrMissing) {
   for (const float z : {0.0F, 0.3F, 9.0F}) {
     EXPECT_EQ(cv::countNonZero(measureDepth(constantImage(z), constantImage(1), kK, {}, 1, 0)), 0) << z;
   }
 }
 
-TEST(KinectNoise, SeedAndFrameDecideEverything) {
+TEST(KinectNoise, IsEqualOnly_WhenSeedAndFrameAreEqual) {
   const auto measure = [](std::uint32_t seed, std::uint32_t frame) {
     return measureDepth(constantImage(1.5F), constantImage(1), kK, {}, seed, frame);
   };
@@ -124,7 +124,7 @@ TEST(KinectNoise, SeedAndFrameDecideEverything) {
   EXPECT_GT(differing(measure(1, 4), measure(1, 5)), 100000);
 }
 
-TEST(KinectNoise, ColorNoiseHasTheAskedSpread) {
+TEST(KinectNoise, ColorNoiseHasTheRequestedSpread) {
   cv::Mat gray(480, 640, CV_8UC3, cv::Scalar(120, 120, 120));
   addColorNoise(gray, 3.0, 1, 0);
   double sum = 0;

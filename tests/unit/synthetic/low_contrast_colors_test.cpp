@@ -27,7 +27,7 @@ std::vector<Eigen::Array2f> tintsOf(const SyntheticScene& scene) {
   return tints;
 }
 
-TEST(DrabColors, AllOfASceneIsInThreeTintsThatThingsAndFurnitureShare) {
+TEST(DrabColors, UseThreeTintsThatThingsAndFurnitureShare) {
   for (const std::uint32_t seed : {5U, 6U}) {
     SyntheticScene colorful = synthetic::makeRandomTabletopSet(seed).scene;
     EXPECT_GT(tintsOf(colorful).size(), 10U);
@@ -46,7 +46,7 @@ TEST(DrabColors, AllOfASceneIsInThreeTintsThatThingsAndFurnitureShare) {
   }
 }
 
-TEST(DrabColors, ChangeNothingButColors) {
+TEST(DrabColors, ChangeOnlyColors) {
   const auto frameOf = [](const char* scene) {
     SourceOptions options;
     options.start = 40;

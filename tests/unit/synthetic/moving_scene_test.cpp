@@ -11,7 +11,7 @@ namespace {
 class MovingScene : public testing::TestWithParam<std::uint32_t> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, MovingScene, testing::Range(1U, 7U));
 
-TEST_P(MovingScene, SomebodyPassesTheMugIsPutElsewhereAndTheChairPushedAway) {
+TEST_P(MovingScene, PersonPassesMugMovesAndChairMoves) {
   SyntheticOptions options;
   options.set = [] { return synthetic::makeRandomMovingSet(GetParam()); };
   options.noise = options.color = false;
@@ -58,7 +58,7 @@ TEST_P(MovingScene, SomebodyPassesTheMugIsPutElsewhereAndTheChairPushedAway) {
   EXPECT_LT(chair_way, 0.5);
 }
 
-TEST(MovingScene, IsTheSameEveryTime) {
+TEST(MovingScene, IsDeterministic) {
   const auto image = [] {
     SourceOptions options;
     options.start = 180;

@@ -116,7 +116,7 @@ TEST_P(RandomScene, EveryObjectRestsOnSomething) {
   EXPECT_GE(objects, 8);
 }
 
-TEST_P(RandomScene, NothingIsInsideSomethingElse) {
+TEST_P(RandomScene, ObjectsNeverIntersect) {
   // A point under an object's surface lies in no other box or ball: straight rays that enter before it would
   // leave after it.
   const SyntheticScene& scene = set.scene;
@@ -140,7 +140,7 @@ TEST_P(RandomScene, NothingIsInsideSomethingElse) {
   }
 }
 
-TEST_P(RandomScene, CameraKeepsClearAndMovesLikeACarefulHand) {
+TEST_P(RandomScene, CameraKeepsItsDistanceAndHandSpeed) {
   const synthetic::Trajectory trajectory(set.path, false, 0);
   double way_m = 0;
   for (int frame = 0; frame + 1 < kind.frames; ++frame) {
@@ -163,7 +163,7 @@ TEST_P(RandomScene, CameraKeepsClearAndMovesLikeACarefulHand) {
   EXPECT_GT(way_m, 0.6);
 }
 
-TEST_P(RandomScene, ViewsAreNearEnoughAndFull) {
+TEST_P(RandomScene, ViewsAreNearAndShowManyThings) {
   SyntheticOptions options;
   options.set = [this] { return kind.make(seed); };
   options.K = options.K.resizedTo(160, 120);
@@ -189,7 +189,7 @@ TEST_P(RandomScene, ViewsAreNearEnoughAndFull) {
   }
 }
 
-TEST(RandomScenes, EightToTwentyThingsAreOnATable) {
+TEST(RandomScenes, PlaceEightToTwentyThingsOnATable) {
   for (std::uint32_t seed = 1; seed <= 30; ++seed) {
     const SyntheticScene scene = synthetic::makeRandomTabletopSet(seed).scene;
     const Eigen::AlignedBox3d table = scene.boundsOf(scene.find("table"));
@@ -204,7 +204,7 @@ TEST(RandomScenes, EightToTwentyThingsAreOnATable) {
   }
 }
 
-TEST(RandomScenes, ASeedIsAScene) {
+TEST(RandomScenes, AreEqualOnly_WhenSeedsAreEqual) {
   SourceOptions options;
   options.frames = 1;
   const auto first = [&](const std::string& scene) {
@@ -224,7 +224,7 @@ TEST(RandomScenes, ASeedIsAScene) {
   }
 }
 
-TEST(RandomScenes, WordsAndSeedCombineInAnyOrder) {
+TEST(RandomScenes, AcceptWordsAndSeedInAnyOrder) {
   SourceOptions options;
   options.frames = 1;
   const auto first = [&](const std::string& scene) {

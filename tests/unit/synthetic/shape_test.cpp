@@ -47,7 +47,7 @@ void expectExact(const Shape& shape, const Implicit& implicit, double tolerance_
   EXPECT_GT(hits, 300);
 }
 
-TEST(SyntheticShape, RoundedBoxIsMetAtItsSurface) {
+TEST(SyntheticShape, RaysHitARoundedBoxAtItsSurface) {
   const Vec3 half(0.1, 0.06, 0.15);
   const double radius = 0.02;
   expectExact(
@@ -59,18 +59,18 @@ TEST(SyntheticShape, RoundedBoxIsMetAtItsSurface) {
       1e-4);
 }
 
-TEST(SyntheticShape, SharpBoxIsMetExactly) {
+TEST(SyntheticShape, RaysHitASharpBoxExactly) {
   const Vec3 half(0.1, 0.06, 0.15);
   expectExact(
       RoundedBox(half, 0), [&](const Vec3& p) { return (p.cwiseAbs() - half).maxCoeff(); }, 1e-9);
 }
 
-TEST(SyntheticShape, SphereIsMetExactly) {
+TEST(SyntheticShape, RaysHitASphereExactly) {
   expectExact(
       Sphere(0.12), [](const Vec3& p) { return p.norm() - 0.12; }, 1e-9);
 }
 
-TEST(SyntheticShape, TorusIsMetAtItsSurface) {
+TEST(SyntheticShape, RaysHitATorusAtItsSurface) {
   expectExact(
       Torus(0.1, 0.03),
       [](const Vec3& p) { return std::hypot(std::hypot(p.x(), p.y()) - 0.1, p.z()) - 0.03; }, 1e-4);
@@ -85,7 +85,7 @@ TEST(SyntheticShape, HalfTorusHasAFlatCut) {
       1e-4);
 }
 
-TEST(SyntheticShape, LatheOfACylinderIsTheCylinder) {
+TEST(SyntheticShape, LatheEqualsACylinder_WhenItsProfileIsOne) {
   expectExact(
       Lathe({{0, -0.1}, {0.08, -0.1}, {0.08, 0.12}, {0, 0.12}}),
       [](const Vec3& p) {
@@ -94,14 +94,14 @@ TEST(SyntheticShape, LatheOfACylinderIsTheCylinder) {
       1e-7);
 }
 
-TEST(SyntheticShape, LatheOfAConeIsTheCone) {
+TEST(SyntheticShape, LatheEqualsACone_WhenItsProfileIsOne) {
   expectExact(
       Lathe({{0, 0}, {0.1, 0}, {0, 0.15}}),
       [](const Vec3& p) { return std::max(std::hypot(p.x(), p.y()) - 0.1 * (1 - p.z() / 0.15), -p.z()); },
       1e-7);
 }
 
-TEST(SyntheticShape, LatheOfACupIsHollow) {
+TEST(SyntheticShape, LatheIsHollow_WhenItsProfileIsACup) {
   const Lathe cup({{0, 0}, {0.08, 0}, {0.08, 0.1}, {0.07, 0.1}, {0.07, 0.01}, {0, 0.01}});
   expectExact(
       cup,
@@ -127,7 +127,7 @@ TEST(SyntheticShape, ArcsAndRoundedCansKeepTheirSize) {
   EXPECT_NEAR(can.high.z(), 0.1, 1e-6);
 }
 
-TEST(SyntheticShape, ReachIsThatOfTheSurface) {
+TEST(SyntheticShape, ReachBoundsTheSurface) {
   const RoundedBox box({0.1, 0.06, 0.15}, 0.02);
   const Lathe can(canProfile(0.04, 0.03, 0.1));
   const Torus ring(0.1, 0.03);
@@ -181,7 +181,7 @@ double heightAt(const BumpyShape& shape, double x, double y) {
   return 1 - shape.intersect({{x, y, 1}, {0, 0, -1}}, kNoHit).t;
 }
 
-TEST(BumpyShape, HasBumpsOfTheAskedHeightBelowTheSurface) {
+TEST(BumpyShape, HasBumpsOfTheRequestedHeightBelowTheSurface) {
   const BumpyShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
   double lowest = kNoHit;
   double highest = -kNoHit;

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
                                          &test::makeLBlockSet, &test::makeChairFloorSet, &makeARoom,
                                          &makeBumpyRoom));
 
-TEST_P(EveryScene, DepthAndInstancesAreThoseOfTheGeometry) {
+TEST_P(EveryScene, DepthAndInstancesMatchTheGeometry) {
   SyntheticOptions options = exactOptions(GetParam());
   options.stride = 49;
   const auto source = open(options);
@@ -76,7 +76,7 @@ TEST_P(EveryScene, DepthAndInstancesAreThoseOfTheGeometry) {
   }
 }
 
-TEST_P(EveryScene, FramesAgreeWithEachOtherThroughTheirPoses) {
+TEST_P(EveryScene, FramesAgreeThroughTheirPoses) {
   SyntheticOptions options = exactOptions(GetParam());
   options.K = options.K.resizedTo(320, 240);
   options.meters_per_unit = 0.0001F;
@@ -131,7 +131,7 @@ TEST_P(EveryScene, CameraMovesLikeAHand) {
   EXPECT_GT(path_m, 0.5);
 }
 
-TEST_P(EveryScene, NamesAreThoseOfTheMasks) {
+TEST_P(EveryScene, NamesMatchTheMasks) {
   const synthetic::SceneRecipe set = GetParam()();
   const std::vector<InstanceName>& names = set.scene.instances();
   ASSERT_FALSE(names.empty());
@@ -194,7 +194,7 @@ class ChairOnFloor : public testing::TestWithParam<MakeSet> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, ChairOnFloor,
                          testing::Values(&synthetic::makeRoomSet, &test::makeChairFloorSet));
 
-TEST_P(ChairOnFloor, CutsTheFloorAtFirstAndNotLater) {
+TEST_P(ChairOnFloor, SplitsTheFloorOnlyAtFirst) {
   SyntheticOptions options = exactOptions(GetParam());
   options.K = options.K.resizedTo(320, 240);
   for (const int frame : {0, 5, 10}) {
@@ -208,7 +208,7 @@ TEST_P(ChairOnFloor, CutsTheFloorAtFirstAndNotLater) {
   EXPECT_TRUE(later.size() == 1 || later[1] < 0.02);
 }
 
-TEST(LBlock, SideThatJoinsItsPartsAppearsOnlyLater) {
+TEST(LBlock, ShowsItsConnectingSideOnlyLater) {
   SyntheticOptions options = exactOptions(&test::makeLBlockSet);
   options.stride = 1;
   const auto source = open(options);
@@ -236,7 +236,7 @@ TEST(LBlock, SideThatJoinsItsPartsAppearsOnlyLater) {
   EXPECT_GT(later_side, 0.15 * later);
 }
 
-TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
+TEST(SyntheticSource, ReturnsEqualFramesOnly_WhenSeedsAreEqual) {
   SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.noise = true;
   options.color = true;
@@ -252,7 +252,7 @@ TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
 }
 
 // Colour from beside, looked up where the surface is seen in it, is the colour that depth's camera would see.
-TEST(SyntheticSource, ColorOfACameraOfItsOwnIsSeenFromThere) {
+TEST(SyntheticSource, RendersColorFromItsCamera_WhenItIsSeparate) {
   SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.color = true;
   const RgbdFrame straight = frameAt(options, 30);
@@ -290,7 +290,7 @@ TEST(SyntheticSource, ColorOfACameraOfItsOwnIsSeenFromThere) {
   EXPECT_GT(cv::countNonZero(off > 20), 0.12 * static_cast<double>(seen.hidden.total())) << "it matters here";
 }
 
-TEST(SyntheticSource, ANumberAfterTheNameIsTheSeed) {
+TEST(SyntheticSource, UsesTheSeed_WhenTheNameEndsInANumber) {
   SyntheticOptions options;
   options.set = [] { return synthetic::makeRandomTabletopSet(7); };
   options.seed = 7;
@@ -320,7 +320,7 @@ TEST(SyntheticSource, NoiseKeepsMostReadingsAndStaysNearTheTruth) {
   EXPECT_GT(close, 0.98 * readings);
 }
 
-TEST(SyntheticSource, FramesSayWhatTheyAre) {
+TEST(SyntheticSource, DescribesItsFrames) {
   SourceOptions options;
   options.start = 10;
   options.stride = 3;
@@ -349,7 +349,7 @@ TEST(SyntheticSource, FramesSayWhatTheyAre) {
   EXPECT_EQ((*source)->next().status, FrameRead::Status::end);
 }
 
-TEST(SyntheticSource, LengthsAreThoseOfTheScenes) {
+TEST(SyntheticSource, UsesTheScenesLength_WhenNoneIsGiven) {
   EXPECT_EQ((*makeSyntheticSource("tabletop", {}))->info().frame_count, 300);
   EXPECT_EQ((*makeSyntheticSource("room", {}))->info().frame_count, 400);
   SourceOptions options;
@@ -361,7 +361,7 @@ TEST(SyntheticSource, LengthsAreThoseOfTheScenes) {
   EXPECT_EQ((*makeSyntheticSource("tabletop:3", {}))->info().frame_count, 240);
 }
 
-TEST(SyntheticSource, RefusesWhatItCannotFilm) {
+TEST(SyntheticSource, Fails_WhenOptionsAreInvalid) {
   using testing::HasSubstr;
   for (const std::string scene : {"kitchen", "l_block", "room:sharp", "room:3x", "wall:3"}) {
     const auto unknown = makeSyntheticSource(scene, {});
