@@ -18,7 +18,7 @@ namespace {
 
 using OutcomeJson = nlohmann::ordered_json;
 
-/// Directions from which a new object has views.
+/// Maximum number of views of a new object, one per direction.
 constexpr std::size_t kMaxDirections = 6;
 
 }  // namespace
@@ -107,7 +107,7 @@ Result<void> CatalogueEdit::redoName(const CatalogueStep& step) {
     const StoredNaming newest = undone.back();
     undone.pop_back();
     keep(key, undone);
-    // What others had said of the object since was left alone by the undo, and is so now.
+    // The undo left later changes by others alone, and so does this.
     if (newest.is_overruled && trimmed(step.name) == newest.naming.name) {
       std::vector<StoredNaming> namings = kept(namingsKeyOf(step.region));
       namings.push_back(newest);
@@ -122,7 +122,7 @@ Result<void> CatalogueEdit::redoName(const CatalogueStep& step) {
 Result<void> CatalogueEdit::revertName(const CatalogueStep& step) {
   std::string removed = step.name;
   if (removed.empty()) {
-    // The name that the newest naming gave and nobody took back.
+    // The name from the newest naming that was not undone.
     const std::vector<StoredNaming> namings = kept(namingsKeyOf(step.region));
     const auto newest = std::find_if(namings.rbegin(), namings.rend(),
                                      [](const StoredNaming& one) { return !one.naming.name.empty(); });
@@ -212,7 +212,7 @@ Result<ObjectId> CatalogueEdit::makeFromKeyFrames(RegionId region) {
     without_views_ = region;
     return fail("The views of region " + std::to_string(region.value) + " are still to be cut.");
   }
-  std::vector<ObjectView> views = found->second;  // images are shared
+  std::vector<ObjectView> views = found->second;  // shares the images
   if (views.empty()) {
     refuse("No key frame of " + session_.folder().string() + " shows region " + std::to_string(region.value) +
                ".",

@@ -11,10 +11,10 @@ namespace {
 
 using NumbersJson = nlohmann::ordered_json;
 
-/// Facts that name objects by their numbers begin so.
+/// Prefixes of metadata keys that refer to objects by id.
 constexpr std::array<std::string_view, 6> kKeysWithNumbers{
     "namings ", "undone namings ", "gone object ", "join ", "pending edits", "refinement memory"};
-/// Begun when an older version kept the session.
+/// The metadata key for the start of a session that an older version wrote.
 constexpr const char* kBegunKey = "begun";
 
 bool hasNumbers(const std::string& fact) {
@@ -29,7 +29,7 @@ std::string metadataOf(const SessionMetadata& metadata, const std::string& name)
   return found == metadata.end() ? std::string() : found->second;
 }
 
-/// Moves all numbers into one text; empty: there were none.
+/// Moves all ids into one text; empty: there were none.
 std::string takeAll(CatalogueNumbers& numbers) {
   NumbersJson json{{"objects", NumbersJson::object()}, {"facts", NumbersJson::object()}};
   for (const auto& [region, object] : std::exchange(numbers.objects, {})) {
@@ -42,7 +42,7 @@ std::string takeAll(CatalogueNumbers& numbers) {
   return json.dump(-1, ' ', false, NumbersJson::error_handler_t::replace);
 }
 
-/// The reverse; what was not written so gives nothing.
+/// The reverse; empty for malformed text.
 void putBack(CatalogueNumbers& numbers, const std::string& text) {
   try {
     const NumbersJson json = NumbersJson::parse(text);
@@ -57,7 +57,7 @@ void putBack(CatalogueNumbers& numbers, const std::string& text) {
     numbers.objects.insert(read.objects.begin(), read.objects.end());
     for (auto& [name, value] : read.metadata) numbers.metadata[name] = std::move(value);
   } catch (const std::exception&) {
-    return;  // a damaged fact: the objects are not known, as in a foreign catalogue
+    return;  // damaged metadata: the objects are unknown, as in another catalogue
   }
 }
 

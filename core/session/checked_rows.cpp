@@ -13,7 +13,7 @@ namespace scantrove::rows {
 namespace {
 
 constexpr const char* kCheck = "row_check";
-/// Up to here doubles hold all whole numbers. SQLite gives a whole number back as either kind.
+/// Doubles represent all integers up to here. SQLite returns an integer as either type.
 constexpr double kWholeNumbers = 9007199254740992.0;
 
 template <class T>
@@ -27,7 +27,7 @@ std::uint32_t crcOf(std::uint32_t crc, char kind, const QByteArray& bytes) {
   return crc32Of({bytes.constData(), static_cast<std::size_t>(bytes.size())}, crc32Of({&kind, 1}, crc));
 }
 
-/// 0 for NULL, 0 and what is empty.
+/// 0 for NULL, 0 and empty values.
 std::uint32_t checkOf(std::string_view name, const QVariant& value) {
   if (value.isNull()) return 0;
   const std::uint32_t crc = crc32Of({name.data(), name.size()});
@@ -35,7 +35,7 @@ std::uint32_t checkOf(std::string_view name, const QVariant& value) {
     case QMetaType::Double:
     case QMetaType::Float: {
       const double number = value.toDouble();
-      if (std::isnan(number) || number == 0) return 0;  // SQLite keeps a NaN as NULL
+      if (std::isnan(number) || number == 0) return 0;  // SQLite stores a NaN as NULL
       const bool is_complete = std::abs(number) < kWholeNumbers && std::trunc(number) == number;
       return is_complete ? crcOf(crc, 'i', static_cast<std::int64_t>(number)) : crcOf(crc, 'd', number);
     }

@@ -11,10 +11,10 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kEvidenceFloats = 21;
-/// Before arrivals, attachments, steps and colours on the whole, and what colours two share, were evidence.
+/// Earlier versions lacked arrivals, attachments, steps, mean colours and shared colours.
 constexpr std::array<std::size_t, 4> kFewerFloats{10, 12, 14, 17};
-constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();  // a colour
-constexpr float kNoMore = 0;                                        // what was evidence once
+constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();  // value of an unseen colour
+constexpr float kNoMore = 0;                                        // value of former evidence
 static_assert(std::endian::native == std::endian::little);
 
 }  // namespace
@@ -48,7 +48,7 @@ QByteArray evidenceToBytes(const BorderEvidence& e) {
 
 std::optional<BorderEvidence> evidenceFromBytes(const QByteArray& bytes) {
   std::array<float, kEvidenceFloats> values{};
-  const ColorComparison usual;  // an older row lacks the last of these, or all
+  const ColorComparison usual;  // an older row lacks some or all of these
   values[14] = values[15] = kUnseen;
   values[17] = usual.shared;
   values[18] = usual.shared_chroma;

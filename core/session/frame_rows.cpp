@@ -15,7 +15,7 @@ namespace {
 
 using ColorJson = nlohmann::ordered_json;
 
-/// Size and, where colour has a camera of its own, that camera.
+/// Size and, for a separate colour camera, its calibration.
 std::string colorToJson(const SavedKeyFrame& key) {
   ColorJson json{{"size", {key.color_width, key.color_height}}};
   if (!key.color_camera) return json.dump();
@@ -28,7 +28,7 @@ std::string colorToJson(const SavedKeyFrame& key) {
   return json.dump();
 }
 
-/// False: it is not what was written.
+/// False: malformed.
 bool readColor(const std::string& written, SavedKeyFrame& key) {
   try {
     const ColorJson json = ColorJson::parse(written);

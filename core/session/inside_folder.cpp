@@ -14,7 +14,7 @@ bool isInsideFolder(const std::filesystem::path& folder, const std::filesystem::
   if (folder_failure || file_failure) return false;
   const auto [of_root, of_place] = std::ranges::mismatch(root, place);
   if (of_root != root.end() || of_place == place.end()) return false;
-  // A pipe or a device would block its reader.
+  // Reading a pipe or a device would block.
   const fs::file_status status = fs::status(place, ignored);
   return status.type() == fs::file_type::regular || status.type() == fs::file_type::not_found;
 }

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The bytes of a JPEG or PNG but for its orientation; empty: of none such.
+/// The bytes of a JPEG or PNG without its orientation; empty: another format.
 std::string readStored(const fs::path& file) {
   if (file.empty()) return {};
   Result<std::string> bytes = readFile(file);
@@ -51,7 +51,7 @@ Result<void> writeDepth(SessionStore& session, const RgbdFrame& frame, SavedKeyF
   return writeFileAtomically(session.folder() / key.depth_file, bytes, Durability::process);
 }
 
-/// Error: the file cannot be read, or is not the one that was written.
+/// Error: the file cannot be read, or differs from the stored one.
 Result<void> checkFile(const fs::path& file, const std::optional<std::uint32_t>& checksum) {
   if (!checksum) return {};
   const Result<std::string> bytes = readFile(file);
@@ -60,7 +60,7 @@ Result<void> checkFile(const fs::path& file, const std::optional<std::uint32_t>&
               "That frame is left out; the rest can be used.");
 }
 
-/// As a frame that cannot be used says it.
+/// The error for an unusable frame.
 Result<cv::Mat> orLeftOut(Result<cv::Mat> image, const fs::path& file) {
   if (image) return image;
   return fail("The key frame image " + file.string() + " is missing or damaged.",

@@ -17,11 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of the map is followed by a new one from this size on.
+/// Size from which on a new file of the map is started.
 constexpr std::uint64_t kLargestFile_bytes = 256ULL << 20U;
-/// Outdated records are left alone up to this much, and up to as much as there is that is not.
+/// Outdated records stay up to this size, and up to the size of the current ones.
 constexpr std::uint64_t kOutdated_bytes = 32ULL << 20U;
-/// Of `pages`: file, offset, packed and unpacked bytes. A page lies within 32-bit brick coordinates.
+/// Columns of `pages`: file, offset, packed and unpacked bytes. Page positions are 32-bit brick
+/// coordinates.
 constexpr rows::Bounds kPositions{-(1 << 27), 1 << 27}, kFiles{1, 1LL << 40}, kOffsets{0, 1LL << 40};
 constexpr rows::Bounds kPacked_bytes{1, 1 << 30}, kUnpacked_bytes{4, (1 << 30) - 1};
 constexpr std::string_view kFolder = "map/";
@@ -56,7 +57,8 @@ Result<void> MapFiles::read(DatabaseConnection& database, std::vector<std::strin
     pages_[position] = {number(3), static_cast<std::uint64_t>(number(4)),
                         static_cast<std::uint32_t>(number(5)), static_cast<std::uint32_t>(number(6)),
                         static_cast<std::uint64_t>(number(7))};
-    // A damaged row may name any file. Those that are there stay open: so their pages can be read whatever
+    // A damaged row may name any file. Existing files stay open, so their pages remain readable even if
+    // they are renamed.
     // becomes of their names.
     if (number(3) > last_number_ && fileToRead(number(3))) appended_ = last_number_ = number(3);
     static_cast<void>(fileToRead(number(3)));
@@ -234,7 +236,7 @@ Result<MapFiles::Pages> MapFiles::copyPages(DatabaseConnection& database, const 
     const Result<RecordFile*> from = fileToRead(place.file);
     if (!from) continue;
     Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
-    if (!bytes) continue;  // its place stays, and says that it is damaged
+    if (!bytes) continue;  // its position stays, and reports the damage
     const Result<PageLocation> to =
         append(database, {std::move(*bytes), place.unpacked_bytes, place.checksum});
     if (!to) return fail(to.error());
@@ -286,7 +288,7 @@ Result<void> MapFiles::writeLostAnew(DatabaseConnection& database) {
   if (!added) return fail(added.error());
   const auto write = [&]() -> Result<void> {
     SCANTROVE_TRY(writeLocations(database, *pages));
-    // Another file may have the name by now, which is not ours to remove.
+    // Another file may have the name by now, which must not be removed.
     for (const std::int64_t number : lost) SCANTROVE_TRY(own_files::disown(database, nameOf(number)));
     return {};
   };

@@ -10,7 +10,7 @@
 namespace scantrove::rows {
 namespace {
 
-/// Places that are relative to another one are not those of the recording.
+/// Positions relative to a damaged origin would be wrong.
 bool isOrigin(const std::string& value) {
   const auto numbers = parseNumbers(value);
   return numbers && numbers->size() == 3 &&
@@ -19,7 +19,7 @@ bool isOrigin(const std::string& value) {
 
 bool isMetadataEntry(const std::string& name, const std::string& value) {
   if (name == "origin_m") return isOrigin(value);
-  if (name != "last_region") return true;  // new regions are counted on from this one
+  if (name != "last_region") return true;  // new regions continue from this number
   const bool is_number = !value.empty() && value.size() < 11 &&
                          std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; });
   return is_number && std::stoll(value) <= kRegions.most;

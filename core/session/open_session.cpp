@@ -20,7 +20,7 @@
 namespace scantrove {
 namespace {
 
-/// What a session remembers of objects, without what was said anew of some regions.
+/// A session's copy of objects, without regions that were edited again.
 std::string withoutRegions(const std::string& remembered, const std::vector<RegionId>& regions) {
   RememberedObjects objects = rememberedFrom(remembered);
   for (const RegionId region : regions) objects.erase(region);
@@ -105,7 +105,7 @@ RegionObject OpenSession::regionObjectOf(RegionId region, const RememberedObject
   if (catalogue_ && object) return scantrove::regionObjectOf(*catalogue_, object);
   const auto kept = remembered.find(region);
   if (!object) {
-    // Of another catalogue: what it was called there is known, and no number.
+    // From another catalogue: the name is known, but no id.
     if (kept == remembered.end() || kept->second.catalogue == fact(kCatalogueKey)) return {};
     RegionObject known = kept->second.object;
     known.object = {};
@@ -182,7 +182,7 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
 
 void OpenSession::completePendingEdits() {
   std::error_code ignored;
-  // Where its catalogue is not there, that is said when it is needed.
+  // A missing catalogue is reported when it is needed.
   if (!isCataloguePending(*this) || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
   if (const Result<void> followed = applyToCatalogue(*this); !followed)
     damages_.push_back("What was said last is not in the catalogue: " + followed.error().message());
@@ -216,7 +216,7 @@ Result<std::vector<RegionSummary>> OpenSession::regions() {
 }
 
 const SavedFrame* OpenSession::frameAt(int source_index) const {
-  // Of several recordings in one session the newest.
+  // With several recordings in one session, the newest.
   for (auto frame = scan_.frames.rbegin(); frame != scan_.frames.rend(); ++frame) {
     if (frame->source_index == source_index) return &*frame;
   }

@@ -38,14 +38,14 @@ RegionNote noteFrom(const Json& list) {
           list.at(3).get<bool>(), list.at(4).get<bool>()};
 }
 
-/// A number that is negative, broken or too large is refused: get() alone would make another one of it.
+/// Rejects numbers that are negative, fractional or too large, which get() alone would convert.
 std::uint32_t numberFrom(const Json& number) {
   if (!number.is_number_unsigned() || number.get<std::uint64_t>() > UINT32_MAX)
     throw Json::other_error::create(501, "no number of a fragment or region", nullptr);
   return number.get<std::uint32_t>();
 }
 
-/// A list, so that an object's values are not taken for one.
+/// Requires a list, because get() would accept an object's values.
 const Json& listAt(const Json& json, const char* name) {
   const Json& list = json.at(name);
   if (!list.is_array()) throw Json::other_error::create(501, "no list", nullptr);
@@ -58,7 +58,7 @@ LinkConstraint constraintFrom(const Json& json) {
   return static_cast<LinkConstraint>(number);
 }
 
-/// Reads by `read` what may not be JSON, or not of that form.
+/// Calls `read` on text that may not be JSON, or not of that form.
 template <class Read>
 auto readJson(const std::string& text, Read&& read) -> std::optional<decltype(read(Json()))> {
   try {

@@ -47,8 +47,8 @@ Result<void> writeOperations(DatabaseConnection& database,
                                          {"state", wordFor(entry.state)},
                                          {"operation", text(operationToJson(entry.operation))},
                                          {"effect", text(effectToJson(entry.effect))}}};
-    // When it was done stays when it is undone, and is not part of the checksum. The number may be that of a
-    // damaged row, which was left out.
+    // An undo keeps the time of the operation, which is not part of the checksum. The number may belong to
+    // a damaged row that was left out.
     SCANTROVE_TRY(database.execute(
         "INSERT INTO operations (number, state, operation, effect, row_check, done) VALUES (?, ?, ?, ?, ?, ?)"
         " ON CONFLICT (number) DO UPDATE SET state = excluded.state, operation = excluded.operation,"

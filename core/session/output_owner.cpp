@@ -35,7 +35,7 @@ std::optional<fs::path> findResultFile(const fs::path& folder) {
   return std::nullopt;
 }
 
-/// A folder of one of these names with something in it.
+/// The first folder of these names that is not empty.
 std::optional<fs::path> findFilled(const fs::path& folder, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     const fs::path part = folder / name;
@@ -45,7 +45,7 @@ std::optional<fs::path> findFilled(const fs::path& folder, std::initializer_list
   return std::nullopt;
 }
 
-/// What a scan of these results would replace, in the folder of an earlier scan.
+/// What a scan with these outputs would replace in the folder of an earlier scan.
 std::optional<fs::path> findForeignResult(const fs::path& folder, const ScanResults& planned) {
   const ScanResults own = ownResults(folder);
   std::optional<fs::path> foreign;
@@ -70,7 +70,8 @@ ScanResults ownResults(const fs::path& folder) {
     return found != metadata.end() && !found->second.empty();
   };
   const bool has_report = holdsOurReport(folder);
-  // Sessions of earlier versions, and scans without one, do not say whether they wrote label images.
+  // Sessions of earlier versions, and scans without a session, do not record whether they wrote label
+  // images.
   return {has(kResultsKey) || has_report, has(kLabelImagesKey) || (has_report && !has(kResultsKey))};
 }
 

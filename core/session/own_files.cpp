@@ -29,8 +29,7 @@ Result<void> enterAll(DatabaseConnection& database, std::span<const std::string>
   return {};
 }
 
-/// With a checksum that matches. Rows that an earlier version's session was given have none, and are kept
-/// ones.
+/// Entries with a matching checksum. Rows from earlier versions have none, and name stored files.
 Result<std::vector<std::string>> namesIn(DatabaseConnection& database, const char* state) {
   Result<QSqlQuery> rows =
       database.execute("SELECT name, state, row_check FROM files WHERE state = ? ORDER BY name", {state});
@@ -60,7 +59,7 @@ bool isNumbered(std::string_view name, const std::array<std::string_view, N>& en
   return std::ranges::find(endings, name) != endings.end();
 }
 
-/// False: a reader of the database keeps what was committed last from the disk; a power cut may undo it.
+/// False: a reader of the database delays writing the last commit to disk, so a power cut may undo it.
 Result<bool> isOnDisk(DatabaseConnection& database) {
   Result<QSqlQuery> checkpoint = database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
   if (!checkpoint) return fail(checkpoint.error());
@@ -73,7 +72,7 @@ Result<void> removeAll(DatabaseConnection& database, const fs::path& folder, con
   if (names->empty()) return {};
   const Result<bool> is_on_disk = isOnDisk(database);
   if (!is_on_disk) return fail(is_on_disk.error());
-  if (!*is_on_disk) return {};  // another time
+  if (!*is_on_disk) return {};  // try again later
   for (const std::string& name : *names) {
     std::error_code failure;
     if (hasFormOfOurs(name) && isInsideFolder(folder, name)) fs::remove(folder / name, failure);

@@ -1,6 +1,6 @@
 #include "core/session/param_registry.h"
 
-// toml++ asserts of a table's name what it tests a line later, with an error for the reader: the error is
+// toml++ asserts a condition of table names that it reports as an error one line later. The error is
 // enough.
 #define TOML_ASSERT(condition) static_assert(true)
 #include <toml++/toml.h>
@@ -82,7 +82,7 @@ std::vector<ParamInfo> makeRegistry() {
   };
 }
 
-/// Edit distance, to name the key that was probably meant.
+/// Edit distance, to suggest the intended key.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0U);
@@ -98,7 +98,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-/// Up to three keys like `key`: those that hold it (somebody left out the group), then by edit distance.
+/// Up to three keys like `key`: those that contain it (the group is missing), then by edit distance.
 std::string similarKeys(const std::string& key) {
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const ParamInfo& info : paramRegistry()) {
@@ -122,8 +122,7 @@ Result<const ParamInfo*> findParam(const std::string& key) {
       (similar.empty() ? "" : "Did you mean " + similar + "? ") + "'scantrove params' lists them all.");
 }
 
-/// The shortest text that reads as the same number again: a session's map goes on only with voxels of just
-/// its size.
+/// The shortest text that reads as the same number: continuing a session requires exactly its voxel size.
 std::string plain(double value) {
   std::array<char, 400> text{};
   const auto write = [&](auto number) {
@@ -176,8 +175,8 @@ Result<void> setFromToml(ScanParams& params, const ParamInfo& info, const toml::
   return fail("The parameter '" + info.key + "' is neither a number nor a word.");
 }
 
-/// What the parser may be given: a letter beyond ASCII where a space could stand has undefined results in
-/// toml++ 3.3. Comments may hold such letters, parameters never do: question marks stand in for them.
+/// Text that is safe for the parser: toml++ 3.3 has undefined behaviour for non-ASCII letters where a space
+/// may stand. They occur only in comments, and are replaced by question marks.
 std::string inAscii(std::string text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
@@ -186,8 +185,8 @@ std::string inAscii(std::string text) {
   return text;
 }
 
-/// Whether a line joins more key parts by dots than the parser, which recurses over them, should be given.
-/// A comment counts as part of the line where quotes stand before it.
+/// Whether a line joins too many key parts by dots for the recursive parser. A comment counts as part of
+/// the line if quotes precede it.
 bool hasDeepKey(std::string_view text) {
   constexpr std::ptrdiff_t kMaxDots = 100;
   while (!text.empty()) {

@@ -51,7 +51,7 @@ std::vector<CatalogueStep> catalogueStepsOf(const Operation& operation, EditDire
       steps.push_back({is_undone ? Kind::revert_object : Kind::add, region});
       continue;
     }
-    // Removing a name takes the naming back; undoing that names the region again, as its note now says.
+    // Removing a name reverts the naming; undoing that names the region again, as its note now says.
     const bool is_removal = operation.name.empty();
     if (is_removal != is_undone) {
       steps.push_back({Kind::revert_name, region, operation.name});

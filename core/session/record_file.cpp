@@ -30,7 +30,7 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
 Result<RecordFile> RecordFile::open(const std::filesystem::path& path) { return openWith(path, 0); }
 
 Result<RecordFile> RecordFile::openWith(const std::filesystem::path& path, int flags) {
-  // A pipe would wait for its other end.
+  // Opening a pipe would wait for its other end.
   const int file = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags, 0666);
   if (file < 0 && errno == ELOOP) return fail(isALink(path));
   if (file < 0) return fail(fileFailure("Opening", path, errno));
@@ -65,7 +65,7 @@ Result<std::uint64_t> RecordFile::append(const PackedWords& packed) {
   while (!left.empty()) {
     const ssize_t written = ::pwrite(file_, left.data(), left.size(), static_cast<off_t>(at));
     if (written < 0 && errno == EINTR) continue;
-    // What was written of it lies behind the end and is written over.
+    // A partly written record lies behind the end and is overwritten.
     if (written <= 0) return fail(fileFailure("Writing", path_, written < 0 ? errno : ENOSPC));
     left = left.subspan(static_cast<std::size_t>(written));
     at += static_cast<std::uint64_t>(written);

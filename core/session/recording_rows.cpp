@@ -10,7 +10,7 @@
 namespace scantrove::rows {
 namespace {
 
-/// A recording that begins later than the scan ends is not shifted back.
+/// The offset cannot be negative.
 constexpr Bounds kIndexShifts{0, 0x7fffffff};
 
 std::optional<SavedRecording> recordingFrom(const QSqlQuery& row) {

@@ -18,11 +18,11 @@
 namespace scantrove {
 namespace {
 
-/// All key frames are looked at in images of this width; so few pixels of a region are not worth a view.
+/// Width at which key frames are rendered, and the minimum number of a region's pixels for a view.
 constexpr int kSmallWidth_px = 160, kMinPixels = 8;
-/// What is cut off by the image's border counts for so much.
+/// Weight of pixels of a region that the image's border cuts off.
 constexpr float kCropFraction = 0.4F;
-/// A view shows at least so much of the region as this part of the best one.
+/// Minimum worth of a view, relative to the best one.
 constexpr float kMinOfBest = 0.2F;
 constexpr float kBetweenViews_deg = 20;
 
@@ -30,7 +30,7 @@ constexpr float kBetweenViews_deg = 20;
 struct Showing {
   const SavedKeyFrame* images;
   const SavedFrame* frame;
-  float worth = 0;  ///< pixels, less where it is cut off
+  float worth = 0;  ///< pixels, reduced if cut off
   Eigen::Vector3f direction = Eigen::Vector3f::Zero();
 };
 

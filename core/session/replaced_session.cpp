@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-/// Of schema/, but for `schema_migrations` and `files`. A table that somebody else added stays.
+/// Tables of schema/, without `schema_migrations` and `files`. Tables of others stay.
 constexpr const char* kTables[] = {"facts",     "fact_copies", "frames",     "key_frames",
                                    "fragments", "regions",     "borders",    "operations",
                                    "camera",    "pages",       "recordings", "table_sums"};
@@ -23,10 +23,10 @@ Result<void> checkIsUnlabeled(DatabaseConnection& database, const std::filesyste
 }
 
 Result<void> clearSession(DatabaseConnection& database) {
-  // Key frames go after the frames that they refer to.
+  // Key frames are deleted after the frames that they refer to.
   SCANTROVE_TRY(database.execute("PRAGMA defer_foreign_keys = ON"));
   for (const char* table : kTables) SCANTROVE_TRY(database.execute(QString("DELETE FROM ") + table));
-  // It is when the session began.
+  // The time at which the session started.
   SCANTROVE_TRY(database.execute("UPDATE schema_migrations SET applied = ? WHERE version = 1",
                                  {DatabaseConnection::now()}));
   const Result<std::vector<std::string>> files = own_files::kept(database);

@@ -8,11 +8,11 @@
 namespace scantrove::rows {
 namespace {
 
-/// Of a quaternion's length, and of a rotation's columns.
+/// Tolerance of a quaternion's length, and of a rotation's columns.
 constexpr double kRounding = 1e-3;
 constexpr float kLargestEvidence = 1e9F;
 constexpr int kLargestSide_px = 1 << 16;
-/// Focal lengths and centres, as a share of the image's side.
+/// Limits of focal lengths and centres, relative to the image's side.
 constexpr float kShortestFocal = 0.02F, kLongestFocal = 100, kFarthestCenter = 10;
 constexpr float kLargestUnit_m = 10;
 
@@ -36,7 +36,7 @@ bool arePlaces(const std::vector<Eigen::Vector3f>& places) {
 
 bool isFragment(FragmentId fragment) { return isWithin(fragment.value, kFragments); }
 
-/// None, too.
+/// Also accepts none.
 bool isRegion(RegionId region) { return region.value <= kRegions.most; }
 
 bool isAlong(float focal, float center, int side) {
@@ -69,7 +69,7 @@ std::optional<Eigen::Isometry3d> poseAt(const QSqlQuery& row, int first_column) 
   };
   const Eigen::Vector3d place(number(0), number(1), number(2));
   const Eigen::Quaterniond rotation(number(6), number(3), number(4), number(5));
-  // A NaN or an overflow fails the comparison.
+  // NaN and overflow fail the comparison.
   if (!isNear(place) || !(std::abs(rotation.norm() - 1) <= kRounding)) return std::nullopt;
   return Eigen::Isometry3d(Eigen::Translation3d(place) * rotation.normalized());
 }

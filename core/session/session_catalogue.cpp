@@ -23,7 +23,7 @@ Result<std::unique_ptr<ObjectDatabase>> openCatalogueOf(OpenSession& session) {
   }
   Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file.string());
   if (!database) return database;
-  // Another file may lie there by now: what the session knows of objects is not of that one.
+  // Another file may have this name by now, to which the session's ids do not belong.
   const Result<bool> is_other = session.useCatalogue(**database);
   if (!is_other) return fail(is_other.error());
   return database;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Place = HeldFile::Place;
 
 constexpr int kMaxNames = 1000;
-/// What SQLite has beside a database.
+/// Suffixes of SQLite's files beside a database.
 constexpr std::array kBeside{"-wal", "-shm"};
 
 bool isThere(const fs::path& path) {
@@ -27,7 +27,7 @@ bool isThere(const fs::path& path) {
   return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
 }
 
-/// `session.rescued.sqlite`, `session.rescued-2.sqlite`, ...: the first that is free.
+/// `session.rescued.sqlite`, `session.rescued-2.sqlite`, ...: the first free name.
 fs::path freeNameBeside(const fs::path& file, const std::string& word) {
   fs::path name;
   for (int i = 1; i <= kMaxNames; ++i) {
@@ -50,7 +50,7 @@ Result<void> renameOver(const fs::path& from, const fs::path& to) {
 /// Error: another file has the name `to`.
 Result<void> renameToFreeName(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
-  // Some file systems know no such renaming.
+  // Some file systems do not support this kind of renaming.
   if (errno != EINVAL || isThere(to))
     return fail(
         "The file " + to.string() + " cannot be written: " + std::generic_category().message(errno) + ".",
@@ -69,7 +69,7 @@ Result<SessionDatabase> SessionDatabase::open(const fs::path& file) {
 Result<void> SessionDatabase::connect() {
   SCANTROVE_TRY(moveInto(connection_, DatabaseConnection::open(file_.string())));
   SCANTROVE_TRY(schema::migrate(*connection_, schema::kSession, schema::sessionSteps()));
-  // By a first reading SQLite opens what it has beside the file.
+  // SQLite opens its files beside the database at the first read.
   SCANTROVE_TRY(connection_->execute("SELECT count(*) FROM facts"));
   main_ = HeldFile::hold(file_);
   beside_.clear();
@@ -98,14 +98,14 @@ bool SessionDatabase::isLogTaken() const {
 }
 
 void SessionDatabase::disconnect() {
-  // SQLite removes the log and the index by their names when it closes: these may be another session's by
+  // SQLite removes log and index by name when it closes; these may belong to another session by now.
   // now.
   if (isLogTaken()) {
     static_cast<void>(connection_.release());  // stays open until the program ends
     return;
   }
   connection_.reset();
-  // SQLite would replay a log that was left, into whatever has the name of the database.
+  // SQLite would replay a remaining log into any file with the database's name.
   for (std::size_t i = 0; i < beside_.size(); ++i) {
     std::error_code ignored;
     if (beside_[i].place() == Place::same) fs::remove(file_.string() + kBeside[i], ignored);
@@ -124,7 +124,7 @@ Result<void> SessionDatabase::writeAnew() {
   SCANTROVE_TRY(flushFile(unfinished));
   const bool is_taken = main_->place() == Place::replaced || isLogTaken();
   const fs::path name = is_taken ? freeNameBeside(file_, "rescued") : file_;
-  // Where only its log or index is gone, the name is that of our own file.
+  // If only its log or index is missing, the name belongs to our own file.
   const bool is_ours = name == file_ && main_->place() == Place::same;
   disconnect();
   const Result<void> renamed = is_ours ? renameOver(unfinished, name) : renameToFreeName(unfinished, name);

@@ -33,7 +33,7 @@ std::optional<JoinedObjects::State> joinStateFrom(const std::string& word) {
 
 ObjectId objectFrom(const JoinJson& json) { return ObjectId{json.get<std::uint32_t>()}; }
 
-/// The merge that made one of the two; none: they are one already, one was deleted, or users settled both.
+/// The merge of the two; none: they are merged already, one was deleted, or users settled both.
 Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a, ObjectId b,
                                             FirstError& refusals) {
   const Result<CatalogueModel> catalogue = database.model();
@@ -50,7 +50,7 @@ Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a
   return database.merge(roots).map([](ObjectMerge merge) { return std::optional(std::move(merge)); });
 }
 
-/// Does in the catalogue what one operation has left to do; returns what is to be kept of it.
+/// Executes the pending part of one operation in the catalogue; returns the data to store.
 Result<std::string> carryOut(ObjectDatabase& database, JoinedObjects joined, FirstError& refusals) {
   if (joined.state == JoinedObjects::State::to_merge) {
     for (const auto& [a, b] : std::exchange(joined.pairs, {})) {
@@ -63,7 +63,7 @@ Result<std::string> carryOut(ObjectDatabase& database, JoinedObjects joined, Fir
   }
   for (auto merge = joined.merges.rbegin(); merge != joined.merges.rend(); ++merge) {
     const Result<ObjectId> root = database.mergeRoot(merge->from.front());
-    // Others may have parted them, or deleted them, since.
+    // Others may have separated or deleted them since.
     if (root && *root == merge->into) SCANTROVE_TRY(database.unmerge(*merge));
   }
   return std::string();
@@ -120,7 +120,7 @@ int lastOperation(const OperationLog& log, bool is_undone) {
   const auto done = std::find_if(entries.rbegin(), entries.rend(),
                                  [](const OperationLog::Entry& entry) { return entry.state == State::done; });
   if (!is_undone) return done == entries.rend() ? 0 : done->number;
-  // What was undone last is the first that can be done again.
+  // The last undone operation is the first to redo.
   const auto undone =
       std::ranges::find(done.base(), entries.end(), State::undone, &OperationLog::Entry::state);
   return undone == entries.end() ? 0 : undone->number;
@@ -160,7 +160,7 @@ Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database) 
     const std::string key = joinKeyOf(entry.number);
     const JoinedObjects joined = joinedFrom(session.fact(key));
     if (joined.state == JoinedObjects::State::done) continue;
-    // Sessions of earlier versions kept no token.
+    // Sessions of earlier versions stored no token.
     const std::string token = (joined.token.empty() ? newToken() : joined.token) +
                               (joined.state == JoinedObjects::State::to_unmerge ? " undone" : "");
     const Result<std::string> left =

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By one of a writer who begins while it is read, a reading is torn: so often it is begun again.
+/// Number of attempts: a writer that starts during a read makes the read inconsistent.
 constexpr int kMaxTries = 3;
 
 double megabytesIn(const fs::path& folder) {
@@ -44,9 +44,8 @@ double megabytesIn(const fs::path& folder) {
   return static_cast<double>(bytes) / 1e6;
 }
 
-/// The file as /proc/locks names it, "08:01:5678": hexadecimal device and decimal inode. The device is the
-/// one of the mounted file system; on btrfs that is not the one that stat gives. Empty: the file is not
-/// there.
+/// The file as in /proc/locks, "08:01:5678": hexadecimal device and decimal inode. The device is that of
+/// the mounted file system, which differs from stat's on btrfs. Empty: the file is missing.
 std::string nameInLocks(const fs::path& file) {
   struct statx status {};
   if (::statx(AT_FDCWD, file.c_str(), 0, STATX_INO | STATX_MNT_ID, &status) != 0) return {};
@@ -69,7 +68,8 @@ std::string nameInLocks(const fs::path& file) {
   return name.str();
 }
 
-/// Reports whether any process has locked the file. Reads the kernel's list: a trial lock would refuse
+/// Whether any process has locked the file. Reads the kernel's list, because a trial lock would block
+/// others.
 /// others.
 bool isLocked(const fs::path& file) {
   const std::string requested = nameInLocks(file);
@@ -85,7 +85,7 @@ bool isLocked(const fs::path& file) {
   return false;
 }
 
-/// The first value of the answer.
+/// The first value of the query.
 Result<QVariant> ask(DatabaseConnection& database, const QString& sql) {
   Result<QSqlQuery> answer = database.execute(sql);
   if (!answer) return fail(answer.error());
@@ -118,8 +118,8 @@ Result<void> readPicture(DatabaseConnection& database, SessionSummary& summary) 
   return {};
 }
 
-/// Changes the names of regions to what the catalogue called their objects when the session was kept last
-/// (the fact `objects`); what was deleted there has none.
+/// Replaces the names of regions by the catalogue's names of their objects at the last save (metadata
+/// `objects`); deleted objects have none.
 void followCatalogue(const std::string& objects, std::map<std::uint32_t, std::string>& names) {
   const auto json = nlohmann::json::parse(objects, nullptr, false);
   if (!json.is_object()) return;
@@ -179,7 +179,7 @@ Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
   return readPicture(database, summary);
 }
 
-/// All of one moment.
+/// Reads one consistent state.
 Result<void> readSession(const fs::path& file, SessionSummary& summary) {
   for (int i = 1;; ++i) {
     const auto database = DatabaseConnection::openToRead(file.string());
@@ -230,7 +230,7 @@ SessionMetadata readSessionMetadata(const fs::path& folder) {
 }
 
 fs::path defaultScansFolder() {
-  // As the XDG Base Directory Specification has it: what is no absolute path does not count.
+  // According to the XDG Base Directory Specification, relative paths are ignored.
   const char* data = std::getenv("XDG_DATA_HOME");
   if (data != nullptr && fs::path(data).is_absolute()) return fs::path(data) / "scantrove" / "scans";
   const char* home = std::getenv("HOME");

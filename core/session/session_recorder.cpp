@@ -12,21 +12,21 @@
 namespace scantrove {
 namespace {
 
-/// Frames that may still be understood late.
+/// Frames that may still be integrated late.
 constexpr std::size_t kRememberedFrames = 200;
 
-/// Bricks of pages that are handed over in a second of scanning, a frame's part with each: what one view has
-/// in about a second. And so many at most at once (6 MB).
+/// Bricks of pages handed over per second of scanning, split over the frames: about the new bricks of one
+/// view in a second. And the maximum at once (6 MB).
 constexpr double kBricksPerSecond = 10'000;
 constexpr std::size_t kBricksAtOnce = 1024;
-/// So often before they are on disk.
+/// Maximum number of batches of pages that wait for the disk.
 constexpr std::size_t kMaxWaitingPages = 2;
 
 }  // namespace
 
 SessionRecorder::SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup)
     : writer_(std::move(writer)), setup_(std::move(setup)), last_save_(std::chrono::steady_clock::now()) {
-  // Before the first frame: so the folder is a session whatever happens then.
+  // Before the first frame, so that the folder is a session even after a crash.
   if (setup_.metadata.empty()) return;
   SavedDelta beginning;
   beginning.metadata = std::exchange(setup_.metadata, {});
@@ -43,7 +43,7 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
     if (of != scan.frames.end()) setup.key_frames.takes(of->T_world_camera);
   }
   auto recorder = std::make_unique<SessionRecorder>(std::move(writer), std::move(setup));
-  // What was just read back is on disk.
+  // The restored state is on disk.
   static_cast<void>(pipeline.labels().table().takeChanged(RegionTable::Follower::session));
   recorder->voxels_.resize(pipeline.labels().table().regions().size(), 0);
   for (const SavedFragment& one : scan.fragments) recorder->voxels_[one.fragment.value] = one.voxels;
@@ -121,7 +121,7 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
   }
   if (writer_->isFailing()) return;
   const bool is_new = result.pose.usable() && setup_.key_frames.takes(result.pose.T_world_camera);
-  // A camera that goes on later finds its way by the same frames as if it had never stopped.
+  // A continued camera relocalises with the same frames as an uninterrupted one.
   if (!is_new && !result.is_tracking_key_frame && !setup_.all_frames) return;
   const SavedFrame saved{number, frame.index, frame.timestamp_s, result.pose.state,
                          result.pose.T_world_camera};
@@ -133,8 +133,7 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
 }
 
 void SessionRecorder::keepFirst(const SavedFrame& frame) {
-  if (frame.isUsable() && first_usable_.size() < kFirstFrames)
-    first_usable_.push_back(frame);
+  if (frame.isUsable() && first_usable_.size() < kFirstFrames) first_usable_.push_back(frame);
 }
 
 Result<std::vector<SessionRecorder::StoredFrame>> SessionRecorder::storedFrames() {
@@ -175,7 +174,7 @@ void SessionRecorder::collectRegions(MappingPipeline& pipeline, const ObjectColl
   for (const auto& [region, note] : pipeline.labels().editor().notes().all())
     regions[region] = {region, {}, note};
   if (collector == nullptr) {
-    // Without a catalogue regions are what they were.
+    // Without a catalogue regions keep their objects.
     for (const auto& [region, object] : objects_) {
       if (!object || table.fragmentsOf(region).empty()) continue;
       regions[region].region = region;
@@ -219,7 +218,7 @@ void SessionRecorder::collectObjects(const MappingPipeline& pipeline, const Obje
   for (const RegionId region : pipeline.labels().table().regions()) {
     if (region && !now.contains(region)) now[region] = collector.objects().describe(region);
   }
-  // What is none here keeps what another catalogue said of it.
+  // Regions that are no objects here keep data from another catalogue.
   std::erase_if(now, [](const auto& entry) { return entry.second.state == RegionObject::State::none; });
   RememberedObjects all = remember(remembered_, now, catalogue_);
   if (all == remembered_) return;
@@ -267,7 +266,7 @@ bool SessionRecorder::arePagesWaiting() {
 
 SavedDelta SessionRecorder::collect(MappingPipeline& pipeline, const ObjectCollector* collector) {
   SavedDelta delta;
-  delta.metadata = std::exchange(setup_.metadata, {});  // how it ended
+  delta.metadata = std::exchange(setup_.metadata, {});  // the scan's end
   delta.metadata["last_region"] = std::to_string(pipeline.labels().table().lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   delta.recordings = std::exchange(recordings_, {});
@@ -296,7 +295,7 @@ void SessionRecorder::hand(SavedDelta delta) {
 void SessionRecorder::saveWhenDue(MappingPipeline& pipeline, const ObjectCollector& collector) {
   const auto now = std::chrono::steady_clock::now();
   const bool is_due = now - last_save_ >= kBetweenSaves;
-  // While the disk does not take it, what changed is kept where it is.
+  // While the disk accepts nothing, changes stay where they are.
   if (writer_->isFailing()) {
     if (!is_due) return;
     last_save_ = now;
@@ -327,7 +326,7 @@ Result<void> SessionRecorder::finish(MappingPipeline& pipeline, const ObjectColl
   setMetadata("ended", "yes");
   const std::optional<CameraMemory> memory = pipeline.camera().memory();
   SCANTROVE_TRY(save(pipeline, &collector));
-  // By itself: where the disk has no room for it, the rest is kept all the same.
+  // By itself: the rest is stored even if the disk has no room for it.
   SavedDelta camera;
   if (memory) camera.camera = {setup_.frames - 1, toWords(*memory)};
   hand(std::move(camera));

@@ -14,13 +14,13 @@
 namespace scantrove {
 namespace {
 
-/// Pages that are read at a time: bounds the memory.
+/// Pages read at a time: bounds the memory.
 constexpr std::size_t kPagesAtATime = 32;
 
 /// By fragment number.
 struct Fragments {
   std::vector<RegionId> regions;
-  std::vector<cl_int> voxels;  ///< that the map has of each
+  std::vector<cl_int> voxels;  ///< of each fragment in the map
 };
 
 Fragments fragmentsOf(const SavedScan& scan) {
@@ -32,8 +32,8 @@ Fragments fragmentsOf(const SavedScan& scan) {
   return fragments;
 }
 
-/// Counts the page's voxels. Of a scan that broke off, pages may be up to a few seconds older than its
-/// regions: what held a fragment that was given up meanwhile is without label.
+/// Counts the page's voxels. In an interrupted scan, pages may be a few seconds older than its regions:
+/// voxels of deleted fragments become unlabelled.
 void keepLabels(StoredPage& page, Fragments& fragments) {
   for (cl_uint& label : page.contents.labels) {
     if (label == 0) continue;
@@ -95,7 +95,7 @@ Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedSca
   return {};
 }
 
-/// The camera's way is gone once more: so the same frames become its places, and it has left the same ones.
+/// Replays the camera's path, so that the same frames become tracking key frames.
 void restoreKeyFrames(MappingPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
                       std::vector<std::string>& damages) {
   std::map<int, const SavedKeyFrame*> images;
@@ -118,7 +118,7 @@ bool hasEnded(const SavedScan& scan) {
   return ended != scan.metadata.end() && !ended->second.empty();
 }
 
-/// Of a scan that was stopped after its last frame; none: it broke off, or the memory is damaged.
+/// For a scan that was stopped after its last frame; none: it was interrupted, or the memory is damaged.
 Result<std::optional<CameraMemory>> loadCamera(SessionWriter& session, const SavedScan& scan) {
   std::optional<SavedCamera> camera;
   session.post([&](SessionStore& store) -> Result<void> { return moveInto(camera, store.loadCamera()); });
@@ -144,8 +144,7 @@ Result<void> restoreCamera(MappingPipeline& pipeline, SessionWriter& session, co
   return {};
 }
 
-/// What the camera saw lies in the map: without it no frame finds its place, and what is scanned lies
-/// anywhere.
+/// Without its map no frame can be relocalised, and new surface would lie anywhere.
 Result<void> checkHasMap(const BrickMap& bricks, const SessionWriter& session, const SavedScan& scan) {
   if (bricks.brickCount() > 0 || std::ranges::none_of(scan.frames, &SavedFrame::isUsable)) return {};
   return fail("The scan in " + session.folder().string() + " has no map any more to go on in.",

@@ -22,7 +22,7 @@ SessionScan::SessionScan(OpenSession& session) : session_(session) {
     source_indices.insert(found->second->source_index);
   }
   if (source_indices.size() == stored_.size()) return;
-  // Of several recordings, frames may have one number: then they are counted through.
+  // Frames of several recordings may share numbers: then they are numbered consecutively.
   for (StoredFrame& kept : stored_) kept.index = kept.frame->number;
 }
 

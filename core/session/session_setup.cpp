@@ -25,7 +25,7 @@ fs::path databaseFileOf(const SessionSetup& setup, const fs::path& folder) {
   if (setup.database.empty()) return {};
   const fs::path kept = setup.database;
   std::error_code ignored;
-  // Sessions of the first version keep it as it was typed; and folders are moved with their catalogue.
+  // Sessions of the first version store the path as typed; and folders may be moved with their catalogue.
   for (const fs::path& file : {folder / kept, kept, folder / kept.filename()}) {
     if (fs::exists(file, ignored)) return file;
   }
@@ -78,7 +78,7 @@ Result<SessionSetup> setupFrom(const SessionMetadata& metadata) {
     setup.origin_m = Eigen::Vector3d(origin->data());
   std::istringstream lines(fact("params"));
   for (std::string line; std::getline(lines, line);) {
-    // A parameter that this program does not know any more has no say in it.
+    // Parameters unknown to this program are ignored.
     std::string setting = line;
     std::erase(setting, '"');
     static_cast<void>(applySetting(setup.params, setting));

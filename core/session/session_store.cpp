@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDatabase = "session.sqlite";
 constexpr const char* kLock = "session.lock";
-/// Names of one image that are tried.
+/// Maximum number of names tried for one image.
 constexpr int kMaxImageNames = 1000;
 
 Result<FileLock> lockOf(const fs::path& folder) {
@@ -127,7 +127,7 @@ Result<void> SessionStore::forgetMap() {
 Result<void> SessionStore::write(const SavedDelta& delta, bool with_pages) {
   DatabaseConnection& database = **database_;
   if (!replaces_) return inTransaction(database, [&] { return writeRows(delta, with_pages); });
-  // The new session is on disk before the files of the old one go.
+  // The new session is synced to disk before the old one's files are removed.
   for (const SavedKeyFrame& key : delta.key_frames) {
     SCANTROVE_TRY(flushFile(folder_ / key.depth_file));
     if (!key.color_file.empty()) SCANTROVE_TRY(flushFile(folder_ / key.color_file));

@@ -44,7 +44,7 @@ bool SessionWriter::open(Way way, std::unique_ptr<SessionStore>& store) {
 
 void SessionWriter::run(Way way) {
   lowerThreadPriority(Niceness::session_writer);
-  std::unique_ptr<SessionStore> store;  // its database is this thread's
+  std::unique_ptr<SessionStore> store;  // its database belongs to this thread
   if (!open(way, store)) return;
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -52,7 +52,7 @@ void SessionWriter::run(Way way) {
     changed_.wait(lock, [&] { return is_closed_ || has_work(); });
     if (jobs_.empty() || (is_closed_ && failure_ && !try_again_)) return;
     try_again_ = false;
-    const Job& job = jobs_.front();  // nobody else takes it away
+    const Job& job = jobs_.front();  // nobody else removes it
     lock.unlock();
     Result<void> outcome = doJob(job, *store);
     lock.lock();
