@@ -1,4 +1,4 @@
-// What people really feed a program: missing, truncated, mixed and mistyped.
+// Bad user input: missing, truncated, mixed and mistyped.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -24,7 +24,7 @@ using testing::IsEmpty;
 using testing::Not;
 using Status = FrameRead::Status;
 
-/// A PNG that says it has so many pixels; nothing may be decoded to find out.
+/// A PNG whose header claims this many pixels; the reader must not decode it to check.
 std::string pngHeader(std::uint32_t width, std::uint32_t height) {
   std::string png = "\x89PNG\r\n\x1A\n" + std::string("\0\0\0\rIHDR", 8);
   for (const std::uint32_t number : {width, height}) {
@@ -70,7 +70,7 @@ TEST(BadInput, RefusesAFile_WhenItsKindIsUnknown) {
   EXPECT_THAT(openError(folder.write("film.mp4", "x")), HasSubstr("film.mp4"));
 }
 
-/// The super-user may read everything: for as long as this lives, the program is somebody else.
+/// Drops superuser rights, which allow reading everything, for its lifetime.
 class WithoutPrivileges {
  public:
   WithoutPrivileges() {
@@ -112,7 +112,7 @@ TEST(BadInput, NamesTheDepthFolder_WhenItIsEmpty) {
   EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("depth"), HasSubstr("no images")));
 }
 
-/// Ten frames of which one was tampered with: nine come, one is skipped and its file named.
+/// Ten frames, one of them damaged: nine are returned, one is skipped with its file named.
 void expectOnlySkipped(const std::filesystem::path& folder, std::size_t position, const std::string& reason) {
   const auto source = openSource(folder.string(), {});
   ASSERT_TRUE(source) << source.error().message();
@@ -157,7 +157,7 @@ TEST(BadInput, SkipsTheFrame_WhenAnImageHoldsText) {
   expectOnlySkipped(folder.path(), 5, "damaged");
 }
 
-/// Replaces a file by something that waits for ever when it is opened, or is no file at all.
+/// Replaces a file by something that blocks forever when opened, or is no file.
 void expectSkippedAs(const std::string& part, const std::string& reason,
                      const std::function<void(const std::filesystem::path&)>& make) {
   const TemporaryFolder folder;
@@ -324,7 +324,7 @@ TEST(BadInput, RefusesAnOniBeforeOpenNi_WhenItIsBroken) {
   EXPECT_THAT(error("NI10" + std::string(200, 'x')), HasSubstr("damaged at byte 24"));
 }
 
-// OpenNI2's player looks a property's name up by its letters as signed numbers, and trusts every length.
+// OpenNI2's player indexes a table by a property name's letters as signed numbers, and trusts every length.
 TEST(OniFile, IsRefused_WhenNamesOrLengthsWouldCrashOpenNi) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& bytes) {

@@ -1,4 +1,4 @@
-// The device doctor on made-up trees of /sys and /dev.
+// Camera diagnostics on simulated trees of /sys and /dev.
 #include "core/capture/camera_diagnostics.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ using testing::IsEmpty;
 
 namespace fs = std::filesystem;
 
-/// A made-up computer.
+/// A simulated computer.
 class Computer {
  public:
   Computer() { fs::permissions(root(), fs::perms::others_exec, fs::perm_options::add); }
@@ -85,7 +85,7 @@ std::string texts(const std::vector<Error>& errors) {
   return all;
 }
 
-/// Runs `action` as a user with no rights of its own (root may open all); what it returns.
+/// Runs `action` as an unprivileged user (root may open everything) and returns its result.
 template <class Action>
 std::string asNobody(Action action) {
   if (geteuid() != 0) return action();
@@ -303,7 +303,7 @@ TEST(CameraDiagnostics, KeepsOtherValues_WhenFilesAreUnreadable) {
   const fs::path folder = computer.devices() / "1-2";
   for (const char* name : {"speed", "manufacturer", "product"}) {
     fs::remove(folder / name);
-    fs::create_directory(folder / name);  // opens, and cannot be read, by root either
+    fs::create_directory(folder / name);  // can be opened but not read, even by root
   }
   const auto found = examineCameras(computer.root(), true);
   ASSERT_EQ(found.size(), 1U);

@@ -31,7 +31,7 @@ TEST(ColorRegistration, ReadsWordsAndNumbers) {
   EXPECT_TRUE(beside->T_color_depth.linear().isIdentity());
   EXPECT_EQ(parseColorRegistration("1,1,0,0,0.1,0.2,0.3")->camera->T_color_depth.translation(),
             Eigen::Vector3d(0.1, 0.2, 0.3));
-  // A quarter turn about z takes x to y.
+  // A quarter turn about z maps x to y.
   const auto turned = parseColorRegistration("1,1,0,0,0,0,0,0,0,90")->camera;
   EXPECT_TRUE((turned->T_color_depth * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY()));
 }
@@ -73,7 +73,7 @@ TEST(ColorRegistration, AppliesNumbersToTheActualImages) {
   EXPECT_THAT(small.error().message(), AllOf(HasSubstr("here"), HasSubstr("--color-registration")));
 }
 
-/// What a source of one frame says of its colour.
+/// The colour camera of a source's only frame.
 std::optional<ColorCamera> colorCameraOf(const std::filesystem::path& folder,
                                          const SourceOptions& options = {}) {
   const auto source = openSource(folder.string(), options);

@@ -9,12 +9,12 @@
 
 namespace scantrove::test {
 
-/// Plays libfreenect: one Kinect, or none, whose events a test lists. Time passes only as the events take it.
-/// One at a time.
+/// Simulates libfreenect with one Kinect, or none, and a test's list of events. Only events advance time. One
+/// instance at a time.
 class FakeFreenect {
  public:
   static constexpr std::uint32_t kTicksPerSecond = 60'000'000;
-  using Event = std::function<int()>;  ///< what one call of process_events_timeout() does and returns
+  using Event = std::function<int()>;  ///< effect and return value of one call of process_events_timeout()
 
   int cameras = 1;
   int init_status = 0;
@@ -24,13 +24,13 @@ class FakeFreenect {
   freenect_frame_mode depth_mode = mode(2, FREENECT_DEPTH_REGISTERED);
   freenect_frame_mode color_mode = mode(3, FREENECT_VIDEO_RGB);
   int start_color_status = 0;
-  std::deque<Event> events;  ///< after the last: nothing, for as long as is waited
+  std::deque<Event> events;  ///< no events after the last; calls then use up their timeout
 
   std::vector<std::string> calls;  ///< in order
   freenect_depth_format asked_depth = FREENECT_DEPTH_11BIT;
   int opened_index = -1;
   freenect_device_flags subdevices{};
-  int waits = 0;  ///< in vain, of process_events_timeout()
+  int waits = 0;  ///< calls of process_events_timeout() that timed out
 
   FakeFreenect() { current_ = this; }
   FakeFreenect(const FakeFreenect&) = delete;
@@ -48,7 +48,7 @@ class FakeFreenect {
     return mode;
   }
 
-  /// A depth image of one value, 0.1 m more in its first pixel.
+  /// A depth image of a constant value; the first pixel is 0.1 m farther.
   void depthAt(std::uint32_t ticks, std::uint16_t value_mm) {
     events.emplace_back([this, ticks, value_mm] {
       std::vector<std::uint16_t> image(640U * 480U, value_mm);
@@ -57,7 +57,7 @@ class FakeFreenect {
       return 0;
     });
   }
-  /// A colour image, all of it red, green and blue as given.
+  /// A uniform colour image.
   void colorAt(std::uint32_t ticks, std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
     events.emplace_back([this, ticks, red, green, blue] {
       std::vector<std::uint8_t> image;
@@ -84,7 +84,7 @@ class FakeFreenect {
         .shutdown =
             [](freenect_context*) {
               --current_->open_contexts_;
-              current_->open_devices_ = 0;  // it closes what is open
+              current_->open_devices_ = 0;  // it closes open devices
               return 0;
             },
         .set_log_level = [](freenect_context*, freenect_loglevel) {},
@@ -142,7 +142,7 @@ class FakeFreenect {
   int open(freenect_device** opened, int index) {
     if (open_status < 0) {
       say(open_message.c_str());
-      say("Failed to open audio subdevice or it is not disabled.");  // libfreenect goes on talking
+      say("Failed to open audio subdevice or it is not disabled.");  // libfreenect logs further messages
       return open_status;
     }
     opened_index = index;

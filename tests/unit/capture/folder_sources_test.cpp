@@ -1,4 +1,4 @@
-// The three folder layouts on recordings of a few small frames.
+// The three folder layouts, with recordings of a few small frames.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -154,7 +154,7 @@ TEST(TumFolder, PairsImagesAndInterpolatesPoses) {
   const Intrinsics freiburg2{520.9F, 521.0F, 325.1F, 249.7F, 640, 480};
   EXPECT_EQ(info.intrinsics, freiburg2.resizedTo(kTinyWidth, kTinyHeight));
   const auto reads = readAll(**source);
-  ASSERT_EQ(reads.size(), 4U);  // the depth image without a partner is left out
+  ASSERT_EQ(reads.size(), 4U);  // the depth image without a partner is skipped
   const std::vector<int> original = {0, 1, 3, 4};
   for (std::size_t i = 0; i < 4; ++i) {
     const RgbdFrame& frame = reads[i].frame;
@@ -172,7 +172,7 @@ TEST(TumFolder, PairsImagesAndInterpolatesPoses) {
   EXPECT_FALSE(reads[3].frame.T_world_camera);  // 21 ms after the last pose
 }
 
-// The lenses of the first two cameras show less in the corners than a pinhole would.
+// The lenses of the first two cameras cover less than a pinhole in the corners.
 TEST(TumFolder, UndistortsImages_WhenTheCameraIsKnown) {
   for (const auto& [camera, is_bent] :
        {std::pair("freiburg1", true), {"freiburg2", true}, {"freiburg3", false}}) {

@@ -1,5 +1,5 @@
-// The Kinect v1 without one: libfreenect is played, down to the calls and images of its C functions. What a
-// real camera, its USB traffic and its clock do was never tried.
+// The Kinect v1 on a simulated libfreenect, down to the calls and images of its C functions. Not tested with
+// a real camera, its USB traffic and its clock.
 #if __has_include(<libfreenect.h>)
 #include "core/capture/freenect_source.h"
 
@@ -82,7 +82,7 @@ TEST(Freenect, PairsDepthWithTheColorNearestInTime) {
 
 TEST(Freenect, ContinuesTime_WhenTheTicksWrap) {
   FakeFreenect fake;
-  const std::uint32_t start = 0U - kFrame;  // the last frame before the ticks begin anew, after 71.6 s
+  const std::uint32_t start = 0U - kFrame;  // the last frame before the ticks wrap, after 71.6 s
   for (std::uint32_t i = 0; i < 3; ++i) {
     fake.colorAt(start + i * kFrame - 1000, static_cast<std::uint8_t>(i), 0, 0);
     fake.depthAt(start + i * kFrame, 1000);
@@ -151,7 +151,7 @@ TEST(Freenect, TimesOutAndContinues_WhenTheCameraIsSilent) {
   ASSERT_TRUE(source) << source.error().message();
   EXPECT_EQ((*source)->next().status, Status::timeout);
   EXPECT_EQ(fake.waits, 1);
-  fake.events.emplace_back([] { return 0; });    // packets, no whole image
+  fake.events.emplace_back([] { return 0; });    // packets, no complete image
   fake.events.emplace_back([] { return -10; });  // interrupted by a signal
   fake.events.emplace_back([&] { return fake.handOverNothing(), 0; });
   fake.depthAt(0, 1000);
@@ -288,7 +288,7 @@ TEST(Freenect, RecognizesSourceNames) {
   EXPECT_TRUE(isFreenectUri("freenect"));
   EXPECT_FALSE(isFreenectUri("freenect2"));
   const auto cameras = listFreenectCameras();
-  if (cameras && cameras->empty()) {  // the library itself, without a camera
+  if (cameras && cameras->empty()) {  // the installed library, without a camera
     for (const char* source : {"freenect", "freenect:", "freenect:0", "camera:freenect:0"}) {
       EXPECT_THAT(openError(source), HasSubstr("No Kinect v1 was found")) << source;
     }

@@ -8,7 +8,7 @@ namespace {
 const Intrinsics kCamera{517.3F, 516.5F, 318.6F, 255.3F, 640, 480};
 const LensDistortion kLens{0.2624, -0.9531, -0.0054, 0.0026, 1.1633};
 
-/// Where the lens shows what a pinhole camera sees at a pixel (Brown's equations).
+/// Position in the distorted image of a pinhole pixel (Brown's equations).
 cv::Point2d bent(double u, double v) {
   const double x = (u - double{kCamera.cx}) / double{kCamera.fx};
   const double y = (v - double{kCamera.cy}) / double{kCamera.fy};

@@ -1,4 +1,4 @@
-// OpenNI2 without hardware: Debian's virtual camera, and a genuine recording where it is at hand.
+// OpenNI2 without hardware: Debian's virtual camera, and a genuine recording if available.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

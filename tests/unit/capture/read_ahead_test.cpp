@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 using Status = FrameRead::Status;
 
-/// Gives what `script` says for call 0, 1, ...
+/// Returns the result of `script` for call 0, 1, ...
 class FakeSource final : public FrameSource {
  public:
   FakeSource(bool is_live, std::function<FrameRead(int)> script, std::atomic<int>& calls)
@@ -43,7 +43,7 @@ FrameRead statusOnly(Status status) {
   return read;
 }
 
-/// Waits for something another thread does, at most five seconds.
+/// Waits at most five seconds for another thread.
 bool eventually(const std::function<bool()>& condition) {
   for (int i = 0; i < 5000 && !condition(); ++i) {
     std::this_thread::sleep_for(1ms);
@@ -144,7 +144,7 @@ TEST(ReadAhead, KeepsTheNewestAndCountsDropped_WhenLive) {
   const FrameRead following = reader.next();
   EXPECT_EQ(following.frame.index, 10);
   EXPECT_EQ(following.dropped, 0);
-  allowed = 100;  // the last frame is not lost to the failure after it
+  allowed = 100;  // the failure must not discard the last frame
   EXPECT_EQ(reader.next().frame.index, 11);
   EXPECT_EQ(reader.next().status, Status::failed);
 }

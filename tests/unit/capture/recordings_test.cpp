@@ -1,4 +1,4 @@
-// The real recordings, where they are at hand: each read to its end.
+// Reads each available real recording to its end.
 #include "tests/support/recordings.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Pairing of two lists of times: the same pairs as a full search, in memory that grows with the lists.
+// Pairing of two lists of times equals a full search, with memory linear in the lists.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -18,7 +18,7 @@ namespace {
 using Times = std::vector<double>;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// The definition: of all pairs the closest one first.
+/// Reference: repeatedly takes the closest of all pairs.
 Pairs pairsOfFullSearch(const Times& a, const Times& b, double tolerance_s) {
   std::vector<std::tuple<double, std::size_t, std::size_t>> candidates;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -39,7 +39,7 @@ Pairs pairsOfFullSearch(const Times& a, const Times& b, double tolerance_s) {
   return pairs;
 }
 
-/// Sorted times in steps of 5 ms: many are equal, many distances too.
+/// Sorted times in steps of 5 ms, with many equal times and distances.
 Times someTimes(std::mt19937& random, std::size_t count, int steps) {
   std::uniform_int_distribution<int> step(0, steps);
   Times times(count);
@@ -58,7 +58,7 @@ TEST(TimeAssociation, ReturnsThePairsOfAFullSearch) {
   }
 }
 
-/// Memory that a process has at most while it does this, in MB.
+/// Peak memory of a process during the work, in MB.
 long peakMegabytes(const std::function<void()>& work) {
   const pid_t child = ::fork();
   if (child == 0) {

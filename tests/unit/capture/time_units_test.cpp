@@ -1,4 +1,4 @@
-// Recordings whose times are no seconds, or whose names are times.
+// Recordings with times in other units than seconds, or with names that are times.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

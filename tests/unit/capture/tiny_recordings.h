@@ -37,7 +37,7 @@ inline std::string numbered(const char* format, int number) {
   return text;
 }
 
-/// Cuts a file to this part of its size.
+/// Truncates a file to this share of its size.
 inline void truncate(const std::filesystem::path& path, double part) {
   const auto size = static_cast<double>(std::filesystem::file_size(path));
   std::filesystem::resize_file(path, static_cast<std::uintmax_t>(size * part));
@@ -61,7 +61,7 @@ inline void writeSevenScenes(const std::filesystem::path& folder, int first, int
   }
 }
 
-/// Everything that a source gives until its end.
+/// All results of a source until its end.
 inline std::vector<FrameRead> readAll(FrameSource& source) {
   std::vector<FrameRead> reads;
   while (true) {
@@ -81,7 +81,7 @@ inline std::string openError(const std::filesystem::path& path, const SourceOpti
   return source ? "(opened)" : source.error().message();
 }
 
-/// Collects what is logged while it lives.
+/// Collects log messages during its lifetime.
 class CapturedLog {
  public:
   CapturedLog() : previous_(spdlog::default_logger()) {

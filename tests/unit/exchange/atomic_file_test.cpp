@@ -19,7 +19,7 @@ namespace {
 int flushes = 0;
 }  // namespace
 
-// In place of the C library's.
+// Replaces the C library's function to count its calls.
 extern "C" int fsync(int file) {
   ++flushes;
   return static_cast<int>(::syscall(SYS_fsync, file));
@@ -82,7 +82,7 @@ TEST(AtomicFile, KeepsTheOldFile_WhenTheDiskFillsUp) {
   const TemporaryFolder folder;
   const fs::path path = folder / "big.bin";
   ASSERT_TRUE(writeFileAtomically(path, "old"));
-  // A limit on the size of files stands in for the full disk: write() fails in the middle.
+  // A limit on file sizes simulates a full disk: write() fails midway.
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, SIG_IGN);
@@ -114,7 +114,7 @@ TEST(OutputFolder, IsRefusedByName_WhenItsParentIsAFile) {
 }
 
 TEST(OutputFolder, IsRefused_WhenNotWritable) {
-  // Permissions do not bind the superuser; nobody creates files in /proc.
+  // Permissions do not restrict the superuser; nobody can create files in /proc.
   const auto result = prepareOutputFolder("/proc");
   ASSERT_FALSE(result);
   EXPECT_NE(result.error().what.find("/proc"), std::string::npos);
@@ -171,12 +171,12 @@ TEST(PartNameTest, IsUnique_WhenMadeTwice) {
   EXPECT_FALSE(isPartName(""));
 }
 
-// The names of part files and of what is looked for must stay the same.
+// Names of part files and the search pattern must stay stable.
 TEST(OutputFolder, RemovesThePartFile_WhenItsWriterWasKilled) {
   const TemporaryFolder folder;
   const pid_t child = fork();
   if (child == 0) {
-    const rlimit small{1000, 1000};  // the signal of this limit kills in the middle of writing
+    const rlimit small{1000, 1000};  // this limit's signal kills the process while writing
     setrlimit(RLIMIT_FSIZE, &small);
     (void)writeFileAtomically(folder / "big.bin", std::string(5000, 'x'));
     _exit(0);

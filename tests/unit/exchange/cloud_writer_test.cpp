@@ -143,7 +143,7 @@ TEST(CloudWriter, ReportsTheSystemsReason_WhenTheDiskIsFull) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{1000, before.rlim_max};  // stands in for the full disk
+  const rlimit small{1000, before.rlim_max};  // simulates a full disk
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
   const auto pcd = writePcd(folder / "cloud.pcd", somePoints());
   const auto ply = writePly(folder / "cloud.ply", somePoints());

@@ -18,9 +18,9 @@ TEST(Footprint, MeasuresDistancesOfRectanglesAndDiscs) {
   EXPECT_NEAR(distance(rectangle(0, 0, 1, 1), rectangle(5, 6, 1, 1)), std::hypot(3, 4), 1e-12);
   EXPECT_NEAR(distance(disc(0, 0, 0.5), disc(3, 4, 0.5)), 4, 1e-12);
   EXPECT_NEAR(distance(rectangle(0, 0, 1, 1), disc(0, 2, 0.25)), 0.75, 1e-12);
-  // A square on its tip: its corner is sqrt(2) from its middle.
+  // A square rotated by 45 degrees: its corner is sqrt(2) from its centre.
   EXPECT_NEAR(distance(rectangle(0, 0, 1, 1), rectangle(4, 0, 1, 1, 45)), 3 - std::sqrt(2), 1e-12);
-  // Its side against a corner: neither's own corner-to-corner way.
+  // Side to corner, not corner to corner.
   EXPECT_NEAR(distance(rectangle(0, 0, 1, 1, 45), rectangle(2, 2, 1, 1)), std::sqrt(2) - 1, 1e-12);
   EXPECT_LT(distance(rectangle(0, 0, 1, 1), rectangle(1.5, 0, 1, 1)), 0);
   EXPECT_LT(distance(disc(0, 0, 1), disc(1.5, 0, 1)), 0);

@@ -44,7 +44,7 @@ TEST_P(NoiseAtDepth, SpreadIsAxialNoisePlusQuantisation) {
   const Statistics s = statisticsOf(measureDepth(constantImage(z), constantImage(1), kK, model, 5, 0));
   const double step_m = z * z * model.disparity_step_px / (model.focal_px * model.baseline_m);
   const double expected = std::sqrt(model.sigma(z) * model.sigma(z) + step_m * step_m / 12);
-  // 300,000 samples: the estimate itself is good to 0.2 %; a step wider than sigma adds up to some percent.
+  // 300,000 samples: the estimate is accurate to 0.2 %; a step wider than sigma adds some percent.
   EXPECT_NEAR(s.deviation, expected, 0.12 * expected);
   EXPECT_NEAR(s.mean, z, 0.2 * expected);
   EXPECT_EQ(s.count, 640 * 480) << "a wall seen straight on has no holes";
@@ -81,7 +81,7 @@ TEST(KinectNoise, EdgesAreRagged) {
   cv::Mat z = constantImage(2.0F);
   z(cv::Rect(300, 0, 340, 480)).setTo(1.0F);
   KinectModel model;
-  model.baseline_m = 1e-6;  // no shadow, so that only the edge is seen
+  model.baseline_m = 1e-6;  // no shadow, so that only the edge has an effect
   model.disparity_step_px = 1e-9;
   const cv::Mat measured = measureDepth(z, constantImage(1), kK, model, 1, 0);
   int dropped = 0;

@@ -14,7 +14,7 @@ namespace {
 
 using synthetic::Rgb;
 
-/// Of a colour without its brightness: parts of red and green.
+/// Chromaticity: shares of red and green.
 Eigen::Array2f tintOf(const Rgb& color) { return color.head<2>() / color.sum(); }
 
 std::vector<Eigen::Array2f> tintsOf(const SyntheticScene& scene) {

@@ -28,7 +28,7 @@ TEST_P(MovingScene, PersonPassesMugMovesAndChairMoves) {
 
   std::vector<double> person_part, arm_part, mug_px;
   double highest = mug_before.min().z();
-  Eigen::AlignedBox3d mug_late;  // from then on everything stays
+  Eigen::AlignedBox3d mug_late;  // nothing moves after this
   for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
     const double pixels = static_cast<double>(read.frame.instances.total());
     const auto seen = [&](std::uint16_t who) { return cv::countNonZero(read.frame.instances == who); };

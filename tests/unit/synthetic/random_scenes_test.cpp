@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomScene,
                            return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
                          });
 
-/// Rays straight up and down. They pass most things by, which the things' boxes tell.
+/// Casts rays straight up and down, and skips things whose boxes they miss.
 class PlumbLines {
  public:
   explicit PlumbLines(const SyntheticScene& scene) {
@@ -48,8 +48,7 @@ class PlumbLines {
     for (const InstanceName& who : scene.instances()) boxes_.push_back(scene.boundsOf(who.id));
   }
 
-  /// How far above `from` (sign 1) or below it (-1) the instance lies, or everything but the instance; world
-  /// frame.
+  /// Distance above `from` (sign 1) or below it (-1) of the instance, or of everything else; world frame.
   [[nodiscard]] double measure(std::uint16_t instance, bool others, const Vector3d& from, double sign) const {
     double nearest = kNoHit;
     for (const Part& part : parts_) {
@@ -70,12 +69,11 @@ class PlumbLines {
     std::uint16_t instance;
   };
   std::vector<Part> parts_;
-  std::vector<Eigen::AlignedBox3d> boxes_;  ///< of the instances
+  std::vector<Eigen::AlignedBox3d> boxes_;  ///< boxes of the instances
 };
 
-/// How far the instance's lowest points are from what is below them: 0 = it stands, more = it floats;
-/// infinite = nothing is below, or it has sunk in. Rays upwards find its lowest points, rays downwards what
-/// is below.
+/// Gap between the instance's lowest points and their support: 0 = it stands, more = it floats; infinite = no
+/// support, or it intersects the support. Upward rays find its lowest points, downward rays the support.
 double gapBelow(const PlumbLines& lines, const Eigen::AlignedBox3d& box, std::uint16_t instance) {
   constexpr int kSteps = 40;
   std::vector<Vector3d> underside;
@@ -96,8 +94,7 @@ double gapBelow(const PlumbLines& lines, const Eigen::AlignedBox3d& box, std::ui
   double gap = kNoHit;
   for (Vector3d& point : underside) {
     if (point.z() > lowest + 0.0015) continue;
-    constexpr double kAbove_m =
-        0.003;  // a support whose surface lies higher is missed: the thing has sunk in
+    constexpr double kAbove_m = 0.003;  // a support above this is missed: the thing intersects it
     point.z() += kAbove_m;
     const double down = lines.measure(instance, true, point, -1);
     gap = std::min(gap, std::abs(down - kAbove_m));
@@ -117,8 +114,8 @@ TEST_P(RandomScene, EveryObjectRestsOnSomething) {
 }
 
 TEST_P(RandomScene, ObjectsNeverIntersect) {
-  // A point under an object's surface lies in no other box or ball: straight rays that enter before it would
-  // leave after it.
+  // Points below an object's surface are in no other box or ball: a straight ray that enters one earlier
+  // would leave it later.
   const SyntheticScene& scene = set.scene;
   for (const SyntheticScene::Part& part : scene.parts()) {
     const Vector3d middle =
@@ -151,7 +148,7 @@ TEST_P(RandomScene, CameraKeepsItsDistanceAndHandSpeed) {
     ASSERT_LT(Eigen::AngleAxisd(step.linear()).angle() * 30, 25 * kRadiansPerDegree)
         << "rad/s at frame " << frame;
     if (frame % 5 != 0) continue;
-    for (int i = 0; i < 60; ++i) {  // all around it: no surface within 20 cm, so that it is inside nothing
+    for (int i = 0; i < 60; ++i) {  // no surface within 20 cm around it, so it is inside nothing
       const double z = (i + 0.5) / 30 - 1;
       const double around = 2.4 * i;
       const double flat = std::sqrt(1 - z * z);

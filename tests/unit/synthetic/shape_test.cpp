@@ -13,11 +13,11 @@
 namespace scantrove::synthetic {
 namespace {
 
-/// Inside negative, outside positive; only the sign and the zero are used.
+/// Negative inside, positive outside; only sign and zero are used.
 using Implicit = std::function<double(const Vec3&)>;
 
-/// Random rays around a shape: each hit lies on the surface, nothing solid lies before it, and its normal is
-/// the gradient of the implicit function; rays without a hit meet nothing solid.
+/// Random rays around a shape: each hit lies on the surface with nothing solid in front, and its normal is
+/// the gradient of the implicit function. Rays without a hit cross nothing solid.
 void expectExact(const Shape& shape, const Implicit& implicit, double tolerance_m) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -176,7 +176,7 @@ TEST(SyntheticShape, CurtainHangsInFolds) {
   EXPECT_EQ(curtain.intersect({{0, -1, 1.01}, {0, 1, 0}}, kNoHit).t, kNoHit);
 }
 
-/// Heights of the uneven top of a box at z = 0.1, found from straight above.
+/// Heights of the bumpy top of a box at z = 0.1, found from straight above.
 double heightAt(const BumpyShape& shape, double x, double y) {
   return 1 - shape.intersect({{x, y, 1}, {0, 0, -1}}, kNoHit).t;
 }

@@ -96,7 +96,7 @@ TEST_P(EveryScene, FramesAgreeThroughTheirPoses) {
       if (z == 0 || bu < 1 || bv < 1 || bu >= K.width - 1 || bv >= K.height - 1) {
         continue;
       }
-      // Within half a pixel the depth may change by the slope: compare with the range of the 3 x 3 around.
+      // Depth may change by the slope within half a pixel: compare with the range of the 3 x 3 neighbourhood.
       double low = 0;
       double high = 0;
       cv::minMaxLoc(b.depth(cv::Rect(bu - 1, bv - 1, 3, 3)), &low, &high);
@@ -175,7 +175,7 @@ TEST_P(DemoScene, ShowsAtLeastTwelveObjectsAndSeveralNonConvex) {
   EXPECT_GE(non_convex, 5);
 }
 
-/// Areas of the connected pieces of an instance, largest first, as fractions of the image.
+/// Areas of an instance's connected components, largest first, as fractions of the image.
 std::vector<double> piecesOf(const RgbdFrame& frame, std::uint16_t instance) {
   const cv::Mat mask = frame.instances == instance;
   cv::Mat labels;
@@ -215,7 +215,7 @@ TEST(LBlock, ShowsItsConnectingSideOnlyLater) {
   const std::uint16_t block = source->scene().find("L block");
   ASSERT_NE(block, 0);
   const Intrinsics& K = options.K;
-  /// Pixels of the block, and those of them whose normal is that of its side (+-y).
+  /// Pixels of the block, and those whose normal is that of its side (+-y).
   const auto count = [&](int frame) {
     const Eigen::Isometry3d T = source->pose(frame);
     std::pair<int, int> pixels{0, 0};
@@ -251,7 +251,7 @@ TEST(SyntheticSource, ReturnsEqualFramesOnly_WhenSeedsAreEqual) {
   EXPECT_FALSE(a.T_world_camera->matrix() == c.T_world_camera->matrix());
 }
 
-// Colour from beside, looked up where the surface is seen in it, is the colour that depth's camera would see.
+// The separate camera's colour at a surface point equals the colour at the depth camera.
 TEST(SyntheticSource, RendersColorFromItsCamera_WhenItIsSeparate) {
   SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.color = true;
