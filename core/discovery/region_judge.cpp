@@ -34,7 +34,7 @@ bool isInView(const OutlineSteps& outline) {
 }
 
 bool isCutOff(const ObjectnessEvidence& evidence) {
-  constexpr float kShown = 0.8F, kCut = 0.3F;  // beyond both, the image shows nearly all of it
+  constexpr float kShown = 0.8F, kCut = 0.3F;  // within both limits the image shows nearly all of it
   return evidence.shown < kShown || evidence.cut > kCut;
 }
 

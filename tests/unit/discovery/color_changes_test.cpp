@@ -33,7 +33,7 @@ PaintedScene with(const cv::Rect& red) {
 
 const RegionSet kBoth{RegionId{7}, RegionId{8}};
 
-TEST(ColorChanges, OfOneColorAreNone) {
+TEST(ColorChanges, ChangesAreZero_WithOneColor) {
   const PaintedScene scene = with({0, 0, 1, 1});
   const ColorChanges changes = changesOf(scene, {RegionId{7}});
   EXPECT_EQ(changes.along.contrast, 0);
@@ -42,7 +42,7 @@ TEST(ColorChanges, OfOneColorAreNone) {
   EXPECT_FLOAT_EQ(changes.across.likeness, 1);
 }
 
-TEST(ColorChanges, OfTwoThingsInARowAreWhereTheyMeet) {
+TEST(ColorChanges, ContrastIsAlongTheAxis_ForTwoObjectsInARow) {
   // At a third of the length: halves would be alike in part.
   const PaintedScene scene = with({kBar.x, kBar.y, 21, kBar.height});
   const ColorChanges changes = changesOf(scene, kBoth);
@@ -52,7 +52,7 @@ TEST(ColorChanges, OfTwoThingsInARowAreWhereTheyMeet) {
   EXPECT_GT(changes.across.likeness, 0.9F);
 }
 
-TEST(ColorChanges, OfTwoThingsOnTopOfOneAnotherAreOnTheOtherWay) {
+TEST(ColorChanges, ContrastIsAcrossTheAxis_ForStackedObjects) {
   const PaintedScene scene = with({kBar.x, kBar.y, kBar.width, kBar.height / 2});
   const ColorChanges changes = changesOf(scene, kBoth);
   EXPECT_GT(changes.across.contrast, 0.7F);
@@ -60,19 +60,19 @@ TEST(ColorChanges, OfTwoThingsOnTopOfOneAnotherAreOnTheOtherWay) {
   EXPECT_LT(changes.along.contrast, 0.3F);
 }
 
-TEST(ColorChanges, ALabelIsNoLineAcrossAll) {
+TEST(ColorChanges, ContrastIsLow_WhenALabelDoesNotSpanTheWidth) {
   const PaintedScene scene = with({kBar.x + 24, kBar.y + 6, 16, 8});
   const ColorChanges changes = changesOf(scene, kBoth);
   EXPECT_LT(changes.along.contrast, 0.5F) << "on less than half of the width";
   EXPECT_GT(changes.along.likeness, 0.6F);
 }
 
-TEST(ColorChanges, ARimIsNone) {
+TEST(ColorChanges, ContrastIsLow_AtARim) {
   const PaintedScene scene = with({kBar.x, kBar.y, 4, kBar.height});
   EXPECT_LT(changesOf(scene, kBoth).along.contrast, 0.1F);
 }
 
-TEST(ColorChanges, OfWhatIsTurnedAreAlongItToo) {
+TEST(ColorChanges, ContrastIsAlongTheAxis_WhenRegionsAreTurned) {
   PaintedScene scene;
   const Eigen::Vector2f longer = Eigen::Vector2f(1, 1).normalized(), shorter(-longer.y(), longer.x());
   for (int v = 20; v < 100; ++v) {

@@ -21,7 +21,7 @@ OutlineBounds boundsOf(const PaintedScene& scene, const RegionSet& regions) {
 }
 
 // Each mean counts three steps more that say neither.
-TEST(OutlineBounds, WhatStandsBeforeAWallIsBoundedAllAround) {
+TEST(OutlineBounds, AllSidesAreBounded_InFrontOfAWall) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 1.5F; });
   const OutlineBounds bounds = boundsOf(scene, {RegionId{7}});
@@ -29,7 +29,7 @@ TEST(OutlineBounds, WhatStandsBeforeAWallIsBoundedAllAround) {
   EXPECT_GT(bounds.least_side, 0.9F);
 }
 
-TEST(OutlineBounds, APatchOfTheWallIsNotAndAPosterIsByItsColor) {
+TEST(OutlineBounds, PatchOfAWallIsBounded_OnlyByItsColor) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 2.0F; });
   scene.color(1, kGrayLab);
@@ -39,7 +39,7 @@ TEST(OutlineBounds, APatchOfTheWallIsNotAndAPosterIsByItsColor) {
   EXPECT_FLOAT_EQ(boundsOf(scene, {RegionId{7}}).mean, (120 + 1.5F) / 123);
 }
 
-TEST(OutlineBounds, HalfOfAThingIsBoundedLeastWhereTheOtherHalfFollows) {
+TEST(OutlineBounds, LeastSideIsTowardsTheOtherHalf_OfOneObject) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 1.5F; });
   scene.paint(8, {kStanding.br().x, kStanding.y, kStanding.width, kStanding.height},
@@ -54,7 +54,7 @@ TEST(OutlineBounds, HalfOfAThingIsBoundedLeastWhereTheOtherHalfFollows) {
   EXPECT_GT(boundsOf(scene, {RegionId{7}}).least_side, 0.8F) << "two things in a row";
 }
 
-TEST(OutlineBounds, WhatIsHiddenSaysNothing) {
+TEST(OutlineBounds, SideIsNeutral_WhenHidden) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 1.5F; });
   const OutlineBounds before = boundsOf(scene, {RegionId{7}});
@@ -64,7 +64,7 @@ TEST(OutlineBounds, WhatIsHiddenSaysNothing) {
   EXPECT_FLOAT_EQ(bounds.least_side, 0.5F) << "of that side nothing is known";
 }
 
-TEST(OutlineBounds, WithoutColorWhatGoesOnSaysWhatIsUsual) {
+TEST(OutlineBounds, ContinuingSurfaceIsNeutral_WithoutColor) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 2.0F; });
   const float mean = boundsOf(scene, {RegionId{7}}).mean;
@@ -72,7 +72,7 @@ TEST(OutlineBounds, WithoutColorWhatGoesOnSaysWhatIsUsual) {
   EXPECT_LT(mean, 0.6F);
 }
 
-TEST(OutlineBounds, OfWhatIsNotThereNothingIsKnown) {
+TEST(OutlineBounds, IsNeutral_WhenTheRegionIsNotInView) {
   const OutlineBounds bounds = boundsOf(PaintedScene(), {RegionId{7}});
   EXPECT_FLOAT_EQ(bounds.mean, 0.5F);
   EXPECT_FLOAT_EQ(bounds.least_side, 0.5F);

@@ -27,7 +27,7 @@ OutwardOdds oddsOf(const PaintedScene& scene, const RegionSet& regions) {
   return outwardOddsOf(regions, RegionOutlines(input), input);
 }
 
-TEST(OutwardOdds, OfWhatTouchesNothingAreTheLeast) {
+TEST(OutwardOdds, IsLeast_WithoutContact) {
   PaintedScene scene;
   scene.paint(7, {60, 40, 20, 20}, [](int, int) { return 1.0F; });
   scene.joining_odds = [](RegionId, RegionId) { return 3.0F; };
@@ -35,7 +35,7 @@ TEST(OutwardOdds, OfWhatTouchesNothingAreTheLeast) {
   EXPECT_EQ(oddsOf(scene, {RegionId{7}}).joined_part, 0);
 }
 
-TEST(OutwardOdds, AreThoseOfTheContactThatComesNearest) {
+TEST(OutwardOdds, MostIsTheLargestOddsOfAContact) {
   PaintedScene scene = threeInARow();
   scene.joining_odds = [](RegionId a, RegionId b) {
     return a == RegionId{8} || b == RegionId{8} ? -1.0F : -2.0F;
@@ -47,7 +47,7 @@ TEST(OutwardOdds, AreThoseOfTheContactThatComesNearest) {
   EXPECT_NEAR(odds.joined_part, expected, 0.01F);
 }
 
-TEST(OutwardOdds, OfASetAreNotThoseBetweenItsRegions) {
+TEST(OutwardOdds, IgnoresContactsInsideTheSet) {
   PaintedScene scene = threeInARow();
   scene.joining_odds = [](RegionId a, RegionId b) {
     return a == RegionId{8} || b == RegionId{8} ? -1.0F : -2.0F;
@@ -55,7 +55,7 @@ TEST(OutwardOdds, OfASetAreNotThoseBetweenItsRegions) {
   EXPECT_FLOAT_EQ(oddsOf(scene, {RegionId{7}, RegionId{8}}).most, -2);
 }
 
-TEST(OutwardOdds, WhatWasSaidToBeApartIsAsIfItDidNotTouch) {
+TEST(OutwardOdds, IsLeast_WhenNeighborsCannotLink) {
   PaintedScene scene = threeInARow();
   scene.joining_odds = [](RegionId, RegionId) { return -std::numeric_limits<float>::infinity(); };
   const OutwardOdds odds = oddsOf(scene, {RegionId{7}});

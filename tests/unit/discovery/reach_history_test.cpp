@@ -37,7 +37,7 @@ void addFrames(ReachHistory& history, const PaintedScene& scene, int frames) {
   for (int i = 0; i < frames; ++i) history.add(scene.input(), kVisible, 1);
 }
 
-TEST(ReachHistory, EndsMayShowInDifferentFrames) {
+TEST(ReachHistory, IsSeenToItsEnds_WhenDifferentFramesShowThem) {
   ReachHistory history;
   addFrames(history, signFrom(10), 20);
   EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "its right end was never seen";
@@ -82,21 +82,21 @@ TEST(ReachHistory, MeasuresAlongTheSides_WhenTheyLieAsTheLastFrameSuggests) {
   }
 }
 
-TEST(ReachHistory, WhatAlwaysLeavesTheImageIsNotKnown) {
+TEST(ReachHistory, IsNotSeenToItsEnds_WhenOneIsAlwaysOutside) {
   ReachHistory history;
   addFrames(history, signFrom(10, 70), 10);  // its lower edge lies below the image
   addFrames(history, signFrom(-30, 70), 20);
   EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5));
 }
 
-TEST(ReachHistory, AnEndOnTheBorderIsNoEnd) {
+TEST(ReachHistory, IsNotSeenToItsEnds_WhenOneIsOnTheBorder) {
   ReachHistory history;
   addFrames(history, signFrom(0), 10);
   addFrames(history, signFrom(-30), 10);
   EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "in column 0 nothing tells whether it goes on";
 }
 
-TEST(ReachHistory, SaysHowMuchOfItTheFrameShows) {
+TEST(ReachHistory, ShownPartIsThatOfTheLastFrame) {
   ReachHistory history;
   addFrames(history, signFrom(10), 1);
   EXPECT_NEAR(history.shownPart(kSign), 1, 1e-6) << "there is no more of it yet";
@@ -107,7 +107,7 @@ TEST(ReachHistory, SaysHowMuchOfItTheFrameShows) {
   EXPECT_EQ(history.shownPart(kSign), 0);
 }
 
-TEST(ReachHistory, LargeOnesAreLeftAloneForAWhile) {
+TEST(ReachHistory, MeasuresLargeRegionsAgain_AfterAWhile) {
   ReachHistory history;
   for (int i = 0; i < 70; ++i) history.add(signFrom(10, 30, 60).input(), kVisible, 0.1F);  // 12 cm
   EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5));
@@ -117,7 +117,7 @@ TEST(ReachHistory, LargeOnesAreLeftAloneForAWhile) {
   EXPECT_NEAR(history.sizeOf(kSign).x(), 0.12, 0.006);
 }
 
-TEST(ReachHistory, ForgetsWhatChangedAndWhatWasNotSeenForLong) {
+TEST(ReachHistory, DropsRegions_WhenChangedOrUnseenForLong) {
   ReachHistory history;
   addFrames(history, signFrom(10), 10);
   history.forget(kSign);
@@ -128,7 +128,7 @@ TEST(ReachHistory, ForgetsWhatChangedAndWhatWasNotSeenForLong) {
 }
 
 // Never seen whole in one frame, and yet known whole: the rules of discovery take it like any other thing.
-TEST(ReachHistory, WhatNoFrameShowsWholeIsACandidateOnceAllOfItWasSeen) {
+TEST(ReachHistory, RegionIsACandidate_OnceAllFramesTogetherShowItsEnds) {
   DiscoveryParams params;
   params.persistent_frames = 5;
   params.min_points = 1600;  // at 640x480; 100 at 160x120

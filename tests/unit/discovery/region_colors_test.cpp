@@ -29,32 +29,32 @@ PaintedScene beforeGrayWall(float z_m, const Eigen::Vector3f& color) {
   return scene;
 }
 
-TEST(RegionColors, OfAnImageWithoutColorNothingIsSaid) {
+TEST(RegionColors, LikenessIsNone_WithoutColor) {
   PaintedScene scene;
   scene.paint(7, kPlace, [](int, int) { return 1.0F; });
   const DiscoveryInput input = scene.input();
   EXPECT_FALSE(RegionColors(input).likenessOf({RegionId{7}}, scene.extentOf({RegionId{7}})));
 }
 
-TEST(RegionColors, APatchOfTheWallIsLikeTheWall) {
+TEST(RegionColors, LikenessIsOne_ForAPatchOfTheWall) {
   const ColorLikeness likeness = likenessOf(beforeGrayWall(2, kGrayLab), {RegionId{7}});
   EXPECT_FLOAT_EQ(likeness.neighbor, 1);
   EXPECT_FLOAT_EQ(likeness.touching, 1);
 }
 
-TEST(RegionColors, ARedThingOnItIsNot) {
+TEST(RegionColors, LikenessIsZero_ForARedObjectOnAGrayWall) {
   const ColorLikeness likeness = likenessOf(beforeGrayWall(2, kRedLab), {RegionId{7}});
   EXPECT_EQ(likeness.neighbor, 0);
   EXPECT_EQ(likeness.touching, 0);
 }
 
-TEST(RegionColors, WhatLiesFarBehindDoesNotTouchIt) {
+TEST(RegionColors, TouchingIgnoresSurfaceFarBehind) {
   const ColorLikeness likeness = likenessOf(beforeGrayWall(1, kGrayLab), {RegionId{7}});
   EXPECT_FLOAT_EQ(likeness.neighbor, 1) << "but it is its neighbour in the image";
   EXPECT_EQ(likeness.touching, 0);
 }
 
-TEST(RegionColors, TheNeighborMostLikeItCounts) {
+TEST(RegionColors, NeighborIsTheMostSimilarOne) {
   PaintedScene scene = beforeGrayWall(2, kRedLab);
   const cv::Rect beside(kPlace.br().x, kPlace.y, 30, kPlace.height);
   scene.paint(8, beside, [](int, int) { return 2.0F; });
@@ -68,20 +68,20 @@ TEST(RegionColors, TheNeighborMostLikeItCounts) {
   EXPECT_EQ(both.touching, 0);
 }
 
-TEST(RegionColors, AFewPixelsNearItAreNoNeighbor) {
+TEST(RegionColors, NeighborIsIgnored_WhenFewPixelsAreNear) {
   PaintedScene scene = beforeGrayWall(2, kRedLab);
   scene.paint(8, {kPlace.br().x, kPlace.y, 1, 7}, [](int, int) { return 2.0F; });
   scene.color(8, kRedLab);
   EXPECT_EQ(likenessOf(scene, {RegionId{7}}).neighbor, 0);
 }
 
-TEST(RegionColors, OneColorIsAlikeInAllHalves) {
+TEST(RegionColors, HalvesAreEqual_WithOneColor) {
   const ColorLikeness likeness = likenessOf(beforeGrayWall(1, kRedLab), {RegionId{7}});
   EXPECT_NEAR(likeness.end_to_end, 1, 1e-4);
   EXPECT_NEAR(likeness.side_to_side, 1, 1e-4);
 }
 
-TEST(RegionColors, TwoThingsBesideOneAnotherAreNotAlikeEndToEnd) {
+TEST(RegionColors, EndToEndIsZero_ForTwoObjectsInARow) {
   PaintedScene scene = beforeGrayWall(1, kRedLab);
   const cv::Rect beside(kPlace.br().x, kPlace.y, kPlace.width, kPlace.height);
   scene.paint(8, beside, [](int, int) { return 1.0F; });
@@ -92,7 +92,7 @@ TEST(RegionColors, TwoThingsBesideOneAnotherAreNotAlikeEndToEnd) {
   EXPECT_NEAR(likeness.side_to_side, 1, 1e-4) << "half of each half is red";
 }
 
-TEST(RegionColors, NorAreThoseOfASlantedRow) {
+TEST(RegionColors, EndToEndIsZero_ForASlantedRow) {
   // Steps down to the right, red and then grey: the longer axis is their diagonal.
   PaintedScene scene = beforeGrayWall(1, kRedLab);
   const cv::Rect below(kPlace.br().x, kPlace.br().y, kPlace.width, kPlace.height);
@@ -103,7 +103,7 @@ TEST(RegionColors, NorAreThoseOfASlantedRow) {
   EXPECT_GT(likeness.side_to_side, 0.8F) << "the axis cuts either into two halves, nearly";
 }
 
-TEST(RegionColors, AtTheImagesEdgeToo) {
+TEST(RegionColors, TouchingIsOne_AtTheImageEdge) {
   PaintedScene scene;
   const cv::Rect corner(0, 0, 30, 20);
   scene.paint(7, corner, [](int, int) { return 2.0F; });

@@ -33,7 +33,7 @@ std::vector<RegionJudge::Judged> judge(const PaintedScene& scene) {
   return judge(scene, std::move(known));
 }
 
-TEST(RegionJudge, SeesWhatTheThingIsLike) {
+TEST(RegionJudge, MeasuresTheEvidenceOfAnObject) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   const auto judged = judge(scene);
@@ -48,7 +48,7 @@ TEST(RegionJudge, SeesWhatTheThingIsLike) {
   EXPECT_EQ(evidence.largest_part, 1);
 }
 
-TEST(RegionJudge, AThingIsMoreLikelyThanAPieceOfTheWall) {
+TEST(RegionJudge, ObjectHasHigherObjectnessThanAPatchOfTheWall) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   scene.paint(8, {10, 20, 30, 60}, [](int, int) { return 2.0F; });
@@ -61,7 +61,7 @@ TEST(RegionJudge, AThingIsMoreLikelyThanAPieceOfTheWall) {
   EXPECT_EQ(found[0].box_px, cv::Rect(60, 50, 40, 30));
 }
 
-TEST(RegionJudge, WhatIsLargerThanThingsMayBeIsNotJudged) {
+TEST(RegionJudge, SkipsRegionsLargerThanObjects) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);  // about 0.25 m
   RegionSamples known;
@@ -73,7 +73,7 @@ TEST(RegionJudge, WhatIsLargerThanThingsMayBeIsNotJudged) {
   EXPECT_TRUE(RegionJudge(params, known).judge(scene.input()).empty());
 }
 
-TEST(RegionJudge, WhatIsNotAskedForIsNotJudged) {
+TEST(RegionJudge, SkipsSets_WhenNotAskedFor) {
   PaintedScene scene;
   scene.paintBump(7, {20, 50, 40, 30}, 1.0F);
   scene.paintBump(8, {100, 50, 40, 30}, 1.0F);
@@ -89,7 +89,7 @@ TEST(RegionJudge, WhatIsNotAskedForIsNotJudged) {
   EXPECT_EQ(asked[0].objectness, all[1].objectness) << "as if all were asked for";
 }
 
-TEST(RegionJudge, ALookThatHasNoRoomForTheThingSaysNothingOfIt) {
+TEST(RegionJudge, SkipsRegions_WhenMostKnownPointsAreOutOfView) {
   PaintedScene scene;
   scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
   EXPECT_EQ(judge(scene).size(), 1U) << "a quarter of its outline is cut off, and no more of it is known";
@@ -100,13 +100,13 @@ TEST(RegionJudge, ALookThatHasNoRoomForTheThingSaysNothingOfIt) {
   EXPECT_TRUE(judge(scene, std::move(known)).empty()) << "twice as much of it is known to lie outside";
 }
 
-TEST(RegionJudge, NorDoesOneThatCutsOffMostOfItsOutline) {
+TEST(RegionJudge, SkipsRegions_WhenMostOfTheOutlineIsCut) {
   PaintedScene scene;
   scene.paintBump(7, {0, 0, 30, 120}, 0.7F);
   EXPECT_TRUE(judge(scene).empty());
 }
 
-TEST(RegionJudge, WhatALookHasRoomForInPartIsJudgedAsCutOff) {
+TEST(RegionJudge, IsCutOff_WhenAThirdOfTheKnownPointsIsOutOfView) {
   PaintedScene scene;
   scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
   RegionSamples known, more;
@@ -122,7 +122,7 @@ TEST(RegionJudge, WhatALookHasRoomForInPartIsJudgedAsCutOff) {
       << "all of it, not what is in view";
 }
 
-TEST(RegionJudge, SoIsWhatTheImageCutsAlongAThirdOfItsOutline) {
+TEST(RegionJudge, IsCutOff_WhenTheImageCutsAThirdOfTheOutline) {
   PaintedScene scene;
   scene.paintBump(7, {0, 30, 20, 60}, 1.0F);
   RegionSamples known;
@@ -131,7 +131,7 @@ TEST(RegionJudge, SoIsWhatTheImageCutsAlongAThirdOfItsOutline) {
   EXPECT_TRUE(RegionJudge(DiscoveryParams{}, std::move(known)).find(scene.input()).at(0).is_cut_off);
 }
 
-TEST(RegionJudge, RegionsThatMayBeOneAreJudgedTogetherToo) {
+TEST(RegionJudge, JudgesSetsOfRegions_WhenTheyMayBeOneObject) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 20, 30}, 1.0F, 0.2F);
   scene.paintBump(8, {80, 50, 20, 30}, 1.0F, 0.2F);

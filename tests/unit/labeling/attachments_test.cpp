@@ -116,31 +116,31 @@ std::vector<Surface> ballOnBoard() {
   return {plate({0, -0.02F, 1}, {0, -0.7F, -0.7F}, 0.2F, kHolder), ball(kAbove, 0.06F, kPart)};
 }
 
-TEST(Attachments, WhatTouchesNothingButACurvedThingIsAPartOfIt) {
+TEST(Attachments, IsAttached_WhenOnlyACurvedRegionTouches) {
   EXPECT_EQ(Scene(headOnBody()).areAttached(), true);
 }
 
-TEST(Attachments, WhatLiesOnSomethingFlatIsNot) { EXPECT_EQ(Scene(ballOnBoard()).areAttached(), false); }
+TEST(Attachments, IsNotAttached_WhenTheOtherIsFlat) { EXPECT_EQ(Scene(ballOnBoard()).areAttached(), false); }
 
-TEST(Attachments, WhatTouchesAThirdThingMayStandOnThat) {
+TEST(Attachments, IsNotAttached_WhenAThirdRegionTouches) {
   std::vector<Surface> surfaces = headOnBody();
   surfaces.push_back(plate({0, 0, 0.95F}, {0, 0, -1}, 0.3F, kScreen));  // both stick out of it
   EXPECT_EQ(Scene(surfaces).areAttached(), false);
 }
 
-TEST(Attachments, WhatIsHalfHiddenMayStandOnWhatIsHidden) {
+TEST(Attachments, IsUnknown_WhenHalfHidden) {
   std::vector<Surface> surfaces = headOnBody();
   surfaces.push_back(plate({0, -0.03F, 0.6F}, {0, 0, -1}, 0.024F, kScreen));
   EXPECT_EQ(Scene(surfaces).areAttached(), std::nullopt);
 }
 
-TEST(Attachments, NothingIsAPartOfFurniture) {
+TEST(Attachments, IsUnknown_WhenTheOtherIsLargerThanObjects) {
   Scene scene(headOnBody());
   scene.voxels[kHolder] = kVoxelsOfRoom;
   EXPECT_EQ(scene.areAttached(), std::nullopt);
 }
 
-TEST(Attachments, PartsOfAThingBecomeOneRegionOverTime) {
+TEST(Attachments, JoinsRegions_AfterEnoughObservations) {
   EXPECT_FALSE(Scene(headOnBody()).areOneAfter(2)) << "two looks say little";
   EXPECT_TRUE(Scene(headOnBody()).areOneAfter(40));
   EXPECT_FALSE(Scene(ballOnBoard()).areOneAfter(40));

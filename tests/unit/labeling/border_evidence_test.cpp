@@ -39,7 +39,7 @@ BorderEvidence after(const FragmentContact& contact, float shared, int observati
   return border;
 }
 
-TEST(BorderEvidence, FarAndShortLooksCountForLess) {
+TEST(BorderEvidence, ObservationsWeighLess_WhenFarOrShort) {
   FragmentContact contact = nearLook(1);
   EXPECT_NEAR(after(contact, 0, 1).observations, 1, 1e-4F);
   contact.depth_m = 2.5F;
@@ -52,7 +52,7 @@ TEST(BorderEvidence, FarAndShortLooksCountForLess) {
   EXPECT_NEAR(after(contact, 0, 1).bridged, 0.25F, 1e-4F);
 }
 
-TEST(BorderEvidence, OlderLooksFadeAsNewerCome) {
+TEST(BorderEvidence, OlderObservationsFade_WhenNewerAreAdded) {
   BorderEvidence border = after(nearLook(1), 1, 1000);
   constexpr float kMax = BorderEvidence::kMaxObservations;
   EXPECT_NEAR(border.observations, kMax, 1e-3F);
@@ -64,7 +64,7 @@ TEST(BorderEvidence, OlderLooksFadeAsNewerCome) {
   EXPECT_NEAR(border.shared, left, 1e-3F);
 }
 
-TEST(BorderEvidence, TheBendIsTheMeanOfLooksThatSawIt) {
+TEST(BorderEvidence, BendIsTheMeanOfObservationsWithABend) {
   BorderEvidence border;
   border.add(nearFold(0.6F), 0);
   border.add(nearLook(0), 0);
@@ -76,13 +76,13 @@ TEST(BorderEvidence, TheBendIsTheMeanOfLooksThatSawIt) {
   EXPECT_NEAR(border.ridged, 1.0F / 3, 1e-4F);
 }
 
-TEST(BorderEvidence, ABendThatWasWronglySeenIsOverruled) {
+TEST(BorderEvidence, WrongBendIsOverruled_ByLaterObservations) {
   BorderEvidence border = after(nearFold(0), 0, 500);
   for (int look = 0; look < 60; ++look) border.add(nearFold(0.8F), 0);
   EXPECT_GT(border.folded, 0.9F);
 }
 
-TEST(BorderEvidence, ColorIsTheMeanOfLooksThatHadIt) {
+TEST(BorderEvidence, ColorShiftIsTheMeanOfObservationsWithColor) {
   BorderEvidence border = after(nearLook(0), 0, 1);
   EXPECT_FALSE(border.color_shift);
   FragmentContact contact = nearLook(0);
@@ -93,7 +93,7 @@ TEST(BorderEvidence, ColorIsTheMeanOfLooksThatHadIt) {
   EXPECT_FLOAT_EQ(*border.color_shift, 8);
 }
 
-TEST(BorderEvidence, StepsAndColorsOnTheWholeAreMeansOfLooksToo) {
+TEST(BorderEvidence, StepsAndFragmentColorsAreMeansOfObservations) {
   FragmentContact contact = nearLook(0);
   BorderEvidence border = after(contact, 0, 1);
   EXPECT_FALSE(border.colors);
@@ -116,7 +116,7 @@ TEST(BorderEvidence, StepsAndColorsOnTheWholeAreMeansOfLooksToo) {
   EXPECT_NEAR(border.colors->variety, 5, 1e-3F);
 }
 
-TEST(BorderEvidence, FewLooksJoinNothingButMayPart) {
+TEST(BorderEvidence, FewObservationsSeparateButDoNotJoin) {
   for (const int observations : {0, 1}) {
     const BorderEvidence border = after(nearLook(1), 1, observations);
     EXPECT_EQ(border.weight(kVoxels, kVoxels, 100), 0) << observations;
@@ -125,7 +125,7 @@ TEST(BorderEvidence, FewLooksJoinNothingButMayPart) {
   EXPECT_LT(after(nearLook(0), 0, 1).weight(kVoxels, kVoxels, -100), 0);
 }
 
-TEST(BorderEvidence, SegmentsOnBothSpeakForAFoldSpeaksAgainst) {
+TEST(BorderEvidence, OddsRise_WithSharedSegmentsAndFall_WithFoldsAndColorDifferences) {
   const auto oddsOf = [](const FragmentContact& contact, float shared) {
     return after(contact, shared, 10).logOdds(kVoxels, kVoxels);
   };
@@ -166,7 +166,7 @@ BorderEvidence anyBorder(std::mt19937& random) {
 }
 
 // Few samples of a fit may say otherwise; a leak heals only if this holds.
-TEST(BorderEvidence, FramesThatSawOneNeverSpeakAgainstItFoldsAndColorsNeverForIt) {
+TEST(BorderEvidence, OddsAreMonotonicInEachFeature) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> voxels(50, 60000);
   int differ = 0;
@@ -198,7 +198,7 @@ TEST(BorderEvidence, FramesThatSawOneNeverSpeakAgainstItFoldsAndColorsNeverForIt
   EXPECT_GT(differ, 500) << "colours are heard at all";
 }
 
-TEST(BorderEvidence, WithoutColorTwoAreTakenNeitherForAlikeNorForUnlike) {
+TEST(BorderEvidence, OddsAreBetweenSimilarAndDifferent_WithoutColor) {
   std::mt19937 random(2);
   double alike = 0, unlike = 0, unseen = 0;
   for (int i = 0; i < 200; ++i) {
@@ -217,7 +217,7 @@ TEST(BorderEvidence, WithoutColorTwoAreTakenNeitherForAlikeNorForUnlike) {
   EXPECT_GT(unseen, unlike);
 }
 
-TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
+TEST(BorderEvidence, JoiningWeightGrows_WithObservations) {
   for (const int observations : {5, 10, 20}) {
     const BorderEvidence border = after(nearLook(1), 1, observations);
     const float odds = border.logOdds(kVoxels, kVoxels);
@@ -229,7 +229,7 @@ TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
   }
 }
 
-TEST(BorderEvidence, TooFewLooksChangeNothing) {
+TEST(BorderEvidence, PartitionStays_WhenObservationsAreFew) {
   for (const float bridged : {0.0F, 1.0F}) {
     const BorderEvidence border = after(nearLook(bridged), bridged, 1);
     ASSERT_LT(border.observations, 2);
@@ -240,14 +240,14 @@ TEST(BorderEvidence, TooFewLooksChangeNothing) {
   }
 }
 
-TEST(BorderEvidence, AShortBorderWeighsLessThanItsOdds) {
+TEST(BorderEvidence, WeightIsBelowTheOdds_WhenTheBorderIsShort) {
   FragmentContact contact = nearLook(1);
   contact.length_m = 0.02F;
   const BorderEvidence border = after(contact, 1, 10);
   EXPECT_NEAR(border.weight(kVoxels, kVoxels, -20), 0.2F * (border.logOdds(kVoxels, kVoxels) - 20), 1e-3F);
 }
 
-TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
+TEST(BorderEvidence, RepeatedAppearancesOverruleOtherEvidence) {
   // By the looks alone a clear fold parts, and a wall is one.
   BorderEvidence folded = after(nearFold(1.2F), 0, 20), flat = after(nearLook(1), 1, 20);
   ASSERT_LT(folded.weight(kVoxels, kVoxels, 0), 0);
@@ -272,7 +272,7 @@ TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
   EXPECT_LT(appeared_once.weight(kVoxels, kVoxels, 0), 0);
 }
 
-TEST(BorderEvidence, WhatOneIsHeldByIsOneWithItUnlessLooksDenyIt) {
+TEST(BorderEvidence, AttachmentJoins_UnlessObservationsDenyIt) {
   BorderEvidence folded = after(nearFold(1.2F), 0, 20);
   ASSERT_LT(folded.weight(kVoxels, kVoxels, 0), 0);
   for (int i = 0; i < 12; ++i) folded.addAttachment(true);
