@@ -11,13 +11,13 @@ namespace scantrove {
 
 /// Writes frames as a recording in the 7-Scenes layout, which openSource() reads back:
 ///
-///     frame-NNNNNN.color.png .depth.png .pose.txt   what of these the frames have; NNNNNN is their index
-///     frame-NNNNNN.instance.png                     16 bit, 0 = nothing; where the frames carry truth
-///     intrinsic.json                                camera, depth units a metre, how colour lies over depth
-///     instances.json                                [{id, name, object, extent_m}]; likewise
+///     frame-NNNNNN.color.png .depth.png .pose.txt   those that the frame has; NNNNNN is its index
+///     frame-NNNNNN.instance.png                     16 bit, 0 = none; only with ground truth
+///     intrinsic.json                                camera, depth units per metre, colour registration
+///     instances.json                                [{id, name, object, extent_m}]; only with ground truth
 ///
-/// A frame is there whole or not at all. Files of others in the folder are neither replaced nor removed. The
-/// layout has no times: a reader takes NNNNNN / 30.
+/// A frame is written completely or not at all. Foreign files in the folder are neither replaced nor removed.
+/// The layout has no times: readers assume NNNNNN / 30.
 class RecordingWriter {
  public:
   /// Creates `folder`. Error: it cannot be written to, is not empty, or another recording claims it.

@@ -89,8 +89,7 @@ void clearJpegOrientation(MutableBytes jpeg) {
   }
 }
 
-/// Chunks in which programs look for an orientation and in which it cannot simply be replaced: compressed, or
-/// as digits.
+/// Metadata whose orientation cannot simply be replaced, because it is compressed or stored as digits.
 bool isHiddenMetadata(Bytes content) {
   using namespace std::string_view_literals;
   constexpr std::array kNames{"Raw profile type exif\0"sv, "Raw profile type APP1\0"sv,

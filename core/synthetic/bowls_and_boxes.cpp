@@ -48,7 +48,7 @@ std::uint16_t addMug(SyntheticScene& scene, const std::string& name, const Place
   Material handle = material;
   handle.pattern = Pattern::plain;
   handle.main = material.second;
-  // The ring's axis lies across the handle's plane; what lies deeper than the wall is cut away.
+  // The ring's axis is normal to the handle's plane; parts deeper than the wall are cut off.
   Eigen::Matrix3d turn;
   turn.col(0) = Vec3::UnitZ();
   turn.col(1) = Vec3::UnitX();

@@ -14,7 +14,7 @@ namespace {
 constexpr double kWay_m = 60;
 constexpr double kPace = 0.75;  // m/s
 constexpr double kHalfWidth_m = 1.2;
-constexpr double kBay_m = 1.5;     // between two things of one side
+constexpr double kBay_m = 1.5;     // distance of two things on one side
 constexpr double kOverhang_m = 5;  // beyond both ends of the path, so that the view ahead is never empty
 
 /// A corridor position and its random numbers in 0..1: `along` from its start, side -1 or 1.

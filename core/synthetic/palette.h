@@ -5,8 +5,8 @@
 namespace scantrove::synthetic {
 
 // Random colours and materials of random scenes.
-[[nodiscard]] Rgb randomColor(HashStream& random);  ///< of things: any hue, from pale to strong
-[[nodiscard]] Rgb randomPaint(HashStream& random);  ///< of walls and furniture: pale
+[[nodiscard]] Rgb randomColor(HashStream& random);  ///< for things: any hue, from pale to strong
+[[nodiscard]] Rgb randomPaint(HashStream& random);  ///< for walls and furniture: pale
 [[nodiscard]] Material randomWood(HashStream& random);
 [[nodiscard]] Material randomPaintwork(HashStream& random);  ///< wood or paint, of furniture
 [[nodiscard]] Material randomFabric(HashStream& random);

@@ -9,7 +9,7 @@ namespace scantrove::synthetic {
 
 /// Images of an ideal camera, all h x w.
 struct RenderedFrame {
-  cv::Mat color;      ///< CV_8UC3, BGR; empty unless asked for
+  cv::Mat color;      ///< CV_8UC3, BGR; empty unless requested
   cv::Mat z_m;        ///< CV_32FC1, depth along the optical axis, 0 = nothing there
   cv::Mat incidence;  ///< CV_32FC1, cosine between surface normal and ray, 0..1
   cv::Mat instances;  ///< CV_16UC1, 0 = nothing there
