@@ -9,16 +9,16 @@
 
 namespace scantrove {
 
-/// An object as BOP knows it: a surface in a frame of its own, z up, the middle of its box in the origin.
+/// An object as a BOP model: its surface in an own frame, z up, with the centre of its box in the origin.
 struct BopModel {
   LabeledMesh mesh_world;                                           ///< metres, world
   Eigen::Isometry3d T_world_model = Eigen::Isometry3d::Identity();  ///< metres
 
-  /// In its own frame and millimetres.
+  /// The mesh in the model's frame, in millimetres.
   [[nodiscard]] LabeledMesh meshInMillimeters() const;
 };
 
-/// The models of `regions` that have a surface, by region id. `up`: unit vector of the world.
+/// The models of the `regions` with a surface, by region id. `up`: unit vector, world.
 [[nodiscard]] std::map<std::uint32_t, BopModel> bopModelsOf(const LabeledMesh& mesh,
                                                             std::span<const LabeledRegion> regions,
                                                             const Eigen::Vector3f& up);

@@ -6,10 +6,10 @@
 
 namespace scantrove {
 
-/// exportDataset() of the format mesh, but that the middle of each object's box lies in the origin of its
-/// files: as programs want a thing that they place themselves. Beside them objects/NNNNNN_name.json says what
-/// brings it back to its place in the scene: `offset_m`, and in the frame of the GLB files `glb_offset_m`.
-/// The files of the whole scene are those of exportDataset().
+/// The format mesh of exportDataset(), with the centre of each object's box in the origin of its files, for
+/// programs that place the objects themselves. objects/NNNNNN_name.json contains the offset back into the
+/// scene: `offset_m`, and `glb_offset_m` in the frame of the GLB files. Files of the whole scene are
+/// unchanged.
 [[nodiscard]] Result<ExportSummary> exportCenteredMesh(LabeledScan& scan, const ExportOptions& options,
                                                        const ExportProgressCallback& progress = {},
                                                        const std::stop_token& cancel = {});

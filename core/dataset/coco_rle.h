@@ -6,13 +6,13 @@
 
 namespace scantrove {
 
-/// Lengths of the runs of a mask (CV_8UC1, not 0 = inside), column by column, outside first (that run may be
-/// 0).
+/// Run lengths of a mask (CV_8UC1, nonzero = inside), column by column, starting with an outside run, which
+/// may be 0.
 [[nodiscard]] std::vector<std::uint32_t> runsOf(const cv::Mat& mask);
 
-/// COCO's text of such runs: from the fourth on as differences to the run two before, then five bits a letter
-/// from the lowest on, the sixth bit set if more follow, the fifth of the last one as the sign; 48 is added
-/// to each.
+/// COCO's text of such runs. From the fourth on, each is the difference to the run two before. A letter
+/// holds five bits, lowest first, plus 48; the sixth bit is set if more follow, and the fifth of the last
+/// one is the sign.
 [[nodiscard]] std::string encodeRuns(const std::vector<std::uint32_t>& runs);
 
 }  // namespace scantrove

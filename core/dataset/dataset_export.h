@@ -12,59 +12,58 @@
 
 namespace scantrove {
 
-/// What a labelled scan can leave as. What each writes: dataset_formats.h.
+/// The formats of a data set; see dataset_formats.h.
 enum class DatasetFormat { coco, bop, yolo, masks, ply, pcd, mesh, tum, scannet };
 
 /// "coco", "bop", ... in the order of the enumeration.
 [[nodiscard]] const std::vector<std::string>& datasetFormatNames();
 
-/// Key frames with masks; the others are clouds, meshes or a trajectory.
+/// Whether the format consists of key frames with masks; the others are clouds, meshes or a trajectory.
 [[nodiscard]] bool hasImages(DatasetFormat format);
 
-/// Error: names `name` and lists what there is.
+/// Error: names `name` and lists the formats.
 [[nodiscard]] Result<DatasetFormat> parseDatasetFormat(std::string_view name);
 
 struct ExportOptions {
   DatasetFormat format = DatasetFormat::coco;
-  std::filesystem::path folder;  ///< to be made; may be there if nothing is in it
-  bool all_frames = false;       ///< every frame that was kept, not key frames only
-  bool background = false;       ///< also regions that are background or were rejected
+  std::filesystem::path folder;  ///< to be created; an empty one may exist
+  bool all_frames = false;       ///< every stored frame, not only key frames
+  bool background = false;       ///< include regions that are background or rejected
 };
 
-/// How far an export is: `done` of `total` steps, and which one comes now ("frame 120").
+/// The progress of an export: `done` of `total` steps, and the next one ("frame 120").
 struct ExportProgress {
   int done = 0, total = 0;
   std::string what;
 };
 using ExportProgressCallback = std::function<void(const ExportProgress&)>;
 
-/// What was written.
+/// The result of an export.
 struct ExportSummary {
   std::filesystem::path folder;
   int images = 0;       ///< frames with labels
-  int regions = 0;      ///< that count: with a name or an object, and what `background` adds
-  int annotations = 0;  ///< a region in an image each
+  int regions = 0;      ///< exported: with a name or an object, or due to `background`
+  int annotations = 0;  ///< one for each region in an image
   std::uint64_t points = 0, faces = 0;
   std::uint64_t bytes = 0;
-  std::vector<std::string> skipped;  ///< a sentence for each key frame that could not be used
+  std::vector<std::string> skipped;  ///< a sentence for each unusable key frame
 };
 
-/// What an export would give, from what is known without computing a mask.
+/// The expected result of an export, without computing masks.
 struct ExportPreview {
   int images = 0;
   int regions = 0;
-  double megabytes = 0;  ///< estimated; images that are copied count as they are
+  double megabytes = 0;  ///< estimated; copied images count with their size
 };
 
-/// Error: as the scan's, in reading its regions or key frames.
+/// Error: as for reading the scan's regions or key frames.
 [[nodiscard]] Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& options);
 
-/// Writes `scan` to `options.folder`: into `FOLDER.part-XXXXXX` beside it, checks that all files are there,
-/// and renames, so that the folder is there whole or not at all. A key frame that cannot be read is skipped
-/// and named in the summary. `progress` is called in this thread, before each step. `cancel` is looked at as
-/// often. Error: a folder with something in it; nothing to export; every key frame unusable; the scan's map
-/// unreadable; a full or read-only disk (names the path and the remedy); cancelled. Nothing is left behind
-/// then.
+/// Writes `scan` to `options.folder` atomically: into `FOLDER.part-XXXXXX` beside it, which is renamed when
+/// all files are complete. An unreadable key frame is skipped and named in the summary. `progress` is
+/// called on this thread, and `cancel` checked, before each step. Error: a folder that is not empty;
+/// nothing to export; every key frame unusable; the scan's map unreadable; a full or read-only disk (names
+/// the path and the remedy); cancelled. Nothing is left behind then.
 [[nodiscard]] Result<ExportSummary> exportDataset(LabeledScan& scan, const ExportOptions& options,
                                                   const ExportProgressCallback& progress = {},
                                                   const std::stop_token& cancel = {});

@@ -4,13 +4,13 @@
 
 namespace scantrove {
 
-// One function, and one file export_<format>.cpp, a format. Each writes its files through the job and
+// One function and one file export_<format>.cpp for each format. Each writes its files through the job and
 // fills in the summary. Errors: as of exportDataset(). NNNNNN is the number of a frame in its source.
 
 /// COCO instances (pycocotools, CVAT, FiftyOne):
 ///     annotations/instances.json   run-length encoded masks, bbox, area, iscrowd 0, attributes
 ///     images/NNNNNN.jpg or .png    as recorded, if 8-bit RGB (key_frame_images.h)
-/// One annotation a region. Categories are classes of regions (classOf), images are numbered from 1;
+/// One annotation for each region. Categories are classes of regions (classOf), images are numbered from 1;
 /// `attributes` of an annotation are its region, object, name.
 [[nodiscard]] Result<void> exportCoco(ExportJob& job);
 
@@ -20,19 +20,18 @@ namespace scantrove {
 ///     000001/scene_camera.json scene_gt.json scene_gt_info.json
 ///     models/obj_NNNNNN.ply models_info.json     z up, the middle of its box in the origin; obj_id = region
 ///     id camera.json labels.json
-/// One instance a region. The whole of an object is its surface in the map and what of it is visible in the
-/// image.
+/// One instance for each region; mask/ covers its surface in the map and its visible part in the image.
 [[nodiscard]] Result<void> exportBop(ExportJob& job);
 
 /// Ultralytics segments:
 ///     data.yaml   images/train images/val   labels/train labels/val
-/// One line an instance: all regions of an object of the catalogue, or a region that is none; pieces and
-/// holes are joined by bridges (mask_outline.h).
-/// The last fifth of the frames (from five on) is for validation: neighbours in time show the same.
+/// One line for each instance: all regions of an object of the catalogue, or a region without object.
+/// Pieces and holes are joined by bridges (mask_outline.h). The last fifth of the frames (if at least five)
+/// is for validation, because neighbours in time are similar.
 [[nodiscard]] Result<void> exportYolo(ExportJob& job);
 
-/// labels.json and masks/NNNNNN.png: 16 bits, region ids, 0 = none of those that count; beside them color/ as
-/// recorded. Ids above 65535 are numbered anew; labels.json is by the number in the masks.
+/// labels.json and masks/NNNNNN.png: 16 bits, region ids, 0 = not exported; beside them color/ as recorded.
+/// With ids above 65535 regions are renumbered; labels.json uses the numbers in the masks.
 [[nodiscard]] Result<void> exportMasks(ExportJob& job);
 
 /// cloud.ply (positions, normals, colours of the scene, label) and labels.json.
@@ -42,14 +41,14 @@ namespace scantrove {
 
 /// scene.ply .obj .glb, objects/NNNNNN_name.ply .obj .glb, labels.json. World frame, metres; GLB: y up.
 [[nodiscard]] Result<void> exportMesh(ExportJob& job);
-/// The same with each object around the origin (centered_mesh.h).
+/// The same with each object centred in the origin (centered_mesh.h).
 [[nodiscard]] Result<void> exportCenteredObjects(ExportJob& job);
 
 /// trajectory.txt.
 [[nodiscard]] Result<void> exportTum(ExportJob& job);
 
-/// As a scene of ScanNet: NAME_vh_clean_2.ply (z up), NAME_vh_clean_2.0.010000.segs.json (a segment a
-/// region), NAME.aggregation.json (regions that count), NAME.txt (axisAlignment: identity).
+/// A scene of ScanNet: NAME_vh_clean_2.ply (z up), NAME_vh_clean_2.0.010000.segs.json (one segment per
+/// region), NAME.aggregation.json (exported regions), NAME.txt (axisAlignment: identity).
 [[nodiscard]] Result<void> exportScannet(ExportJob& job);
 
 }  // namespace scantrove

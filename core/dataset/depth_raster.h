@@ -6,13 +6,13 @@
 
 namespace scantrove {
 
-/// Draws triangles into a depth image; the nearest wins.
+/// Draws triangles into a depth image; the nearest surface is visible.
 class DepthRaster {
  public:
   explicit DepthRaster(const Intrinsics& K);
 
-  /// Corners in the camera's frame, metres; both sides are drawn. A triangle that reaches nearer than 1 cm to
-  /// the camera's plane is left out.
+  /// Corners in the camera's frame, metres; both sides are drawn. A triangle with a corner less than 1 cm
+  /// in front of the camera's plane is skipped.
   void add(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
 
   /// CV_32FC1, metres along the optical axis, 0 = nothing.

@@ -14,16 +14,16 @@
 
 namespace scantrove {
 
-/// One export on its way: what a format needs to write its files into the staged folder. One thread.
+/// A running export: everything a format needs to write its files into the staged folder. One thread.
 class ExportJob {
  public:
-  /// `folder` is where to write; `progress` and `cancel` outlive the job.
+  /// Writes to `folder`; `progress` and `cancel` outlive the job.
   ExportJob(LabeledScan& scan, const ExportOptions& options, std::filesystem::path folder,
             const ExportProgressCallback& progress, const std::stop_token& cancel);
 
-  /// Reads the regions and chooses those that count. Error: the scan's.
+  /// Reads the regions and selects those to export. Error: the scan's.
   [[nodiscard]] Result<void> readRegions();
-  /// Error: none counts; says how one does.
+  /// Error: there are none; says how to get some.
   [[nodiscard]] Result<void> needRegions() const;
 
   [[nodiscard]] LabeledScan& scan() { return scan_; }
@@ -32,12 +32,13 @@ class ExportJob {
   [[nodiscard]] const std::vector<LabeledRegion>& chosen() const { return chosen_; }
   [[nodiscard]] ExportSummary& summary() { return summary_; }
 
-  /// Tells how far the export is. Error: it was cancelled.
+  /// Reports the progress. Error: it was cancelled.
   [[nodiscard]] Result<void> step(int done, int total, const std::string& what) const;
 
-  /// Writes the file `name` ("images/000012.jpg") with its folders. Error: names it and the system's reason.
+  /// Writes the file `name` ("images/000012.jpg") with its folders. Error: names it and the system's
+  /// reason.
   [[nodiscard]] Result<void> write(const std::filesystem::path& name, std::string_view bytes);
-  /// For files that somebody else wrote into the folder.
+  /// Registers a file that was written by other code.
   [[nodiscard]] Result<void> noteWritten(const std::filesystem::path& name);
   [[nodiscard]] std::filesystem::path pathOf(const std::filesystem::path& name) const {
     return folder_ / name;

@@ -11,15 +11,14 @@ namespace scantrove {
 /// One object of a scene.
 struct GlbPart {
   std::string name;   ///< any UTF-8
-  ExportJson extras;  ///< what else programs may want to know of it; null: nothing
+  ExportJson extras;  ///< further data for other programs; null: none
   LabeledMesh mesh;   ///< metres, y up; with faces
-  /// Of the mesh in the scene, metres, y up: GLB has no places in double precision.
+  /// Position of the mesh in the scene, metres, y up: GLB has no double-precision vertices.
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 
-/// The bytes of a binary glTF 2.0 file: a node with a mesh for each part, positions, normals and colours by
-/// vertex (linear, as glTF wants them, 16 bits), one dull material seen from both sides. Error: more than 4
-/// GB.
+/// The bytes of a binary glTF 2.0 file: a node with a mesh for each part, positions, normals and vertex
+/// colours (linear, as glTF requires, 16 bits), one matt double-sided material. Error: more than 4 GB.
 [[nodiscard]] Result<std::string> encodeGlb(std::span<const GlbPart> parts);
 
 }  // namespace scantrove

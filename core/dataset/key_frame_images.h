@@ -15,38 +15,38 @@ struct LabeledImage {
   KeyFrameInfo frame;
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  cv::Mat regions;          ///< CV_32SC1; regions that count and are visible, else 0
-  cv::Mat depth_m;          ///< CV_32FC1, measured, as this camera sees it; 0 = no reading
-  std::string stem;         ///< "000120", of its files
-  std::string image_bytes;  ///< the colour image: the recorded bytes where these are JPEG or PNG of 8-bit
-                            ///< RGB, without an orientation; else a PNG of that kind; empty without colour
-  std::string image_name;   ///< stem with the extension that fits; empty without colour
+  cv::Mat regions;          ///< CV_32SC1; exported and visible regions, else 0
+  cv::Mat depth_m;          ///< CV_32FC1, measured depth registered to this camera; 0 = no reading
+  std::string stem;         ///< base of its file names: "000120"
+  std::string image_bytes;  ///< the colour image: the recorded bytes if they are JPEG or PNG with 8-bit RGB
+                            ///< and without orientation; else converted to PNG; empty without colour
+  std::string image_name;   ///< stem with the matching extension; empty without colour
 
   /// CV_8UC1, 255 = the region.
   [[nodiscard]] cv::Mat maskOf(std::uint32_t region) const { return regions == static_cast<int>(region); }
 };
 
-/// A key frame whose labels need not be known yet.
+/// A key frame without labels.
 struct KeyFrameImage {
   LabeledImage image;
   cv::Mat color;  ///< CV_8UC3; empty without colour
 };
-/// Without labels. Error: the frame is unusable; the others need not be.
+/// Reads it without labels. Error: the frame is unusable; others may be usable.
 [[nodiscard]] Result<KeyFrameImage> readKeyFrameImage(LabeledScan& scan, const KeyFrameInfo& frame);
-/// Finds its labels in the map, those of `kept` only. Error: the map.
+/// Renders its labels from the map, only those of `kept`. Error: the map.
 [[nodiscard]] Result<void> labelImage(LabeledScan& scan, KeyFrameImage& read,
                                       const std::unordered_set<int>& kept);
 [[nodiscard]] std::unordered_set<int> idsOf(const std::vector<LabeledRegion>& regions);
 
-/// What a format makes of one frame.
+/// Processes one frame for a format.
 using UseLabeledImage = std::function<Result<void>(const LabeledImage&)>;
 
-/// Gives every key frame with its labels in turn, and counts them; says how far it is. Frames that cannot be
-/// read are named in the summary and left out, as are those without colour if `needs_color`. Error: no frame
-/// could be used (with what was the matter with the first); what `use` returns; the map; cancelled.
+/// Passes every key frame with its labels to `use`, counts them, and reports the progress. Unreadable
+/// frames are skipped and named in the summary, as are those without colour if `needs_color`. Error: no
+/// frame was usable (with the first reason); an error of `use`; the map; cancelled.
 [[nodiscard]] Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabeledImage& use);
 
-/// Regions of `image` that are visible, by id.
+/// Visible regions of `image`, by id.
 [[nodiscard]] std::vector<std::uint32_t> visibleRegions(const cv::Mat& regions);
 
 }  // namespace scantrove

@@ -15,15 +15,15 @@
 
 namespace scantrove {
 
-/// One region of a finished scan and what a person, or the catalogue, said about it.
+/// One region of a finished scan, with its label from a user or the catalogue.
 struct LabeledRegion {
   std::uint32_t id = 0;                ///< never 0
-  std::string name;                    ///< as typed: any UTF-8, slashes, quotes, line ends; empty without one
-  std::string category;                ///< likewise
-  std::optional<std::int64_t> object;  ///< of the catalogue
+  std::string name;                    ///< as typed: any UTF-8, slashes, quotes, line ends; empty: none
+  std::string category;                ///< as typed; empty: none
+  std::optional<std::int64_t> object;  ///< in the catalogue
   bool background = false;             ///< wall, floor, table
   bool rejected = false;               ///< "not an object"
-  bool confirmed = false;              ///< the object, by a person
+  bool confirmed = false;              ///< the object, by a user
   int voxels = 0;
   Eigen::AlignedBox3f box_world_m;
   Eigen::Vector3f centroid_world_m = Eigen::Vector3f::Zero();
@@ -33,63 +33,64 @@ struct LabeledRegion {
 struct SurfacePoint {
   Eigen::Vector3f position_world_m = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal_world =
-      Eigen::Vector3f::Zero();        ///< of length 1, out of the surface; zero = not known
+      Eigen::Vector3f::Zero();        ///< unit length, out of the surface; zero = unknown
   std::array<std::uint8_t, 3> rgb{};  ///< the scene's colour, sRGB
   std::uint32_t region = 0;           ///< 0 = unlabelled
 };
 
-/// The surface of the map, or a part of it. Faces: indices of three vertices, counter-clockwise from outside.
+/// The surface of the map, or a part of it. Faces: indices of three vertices, counter-clockwise from
+/// outside.
 struct LabeledMesh {
   std::vector<SurfacePoint> vertices;
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
-/// A frame that was kept: where it was seen from, and by which cameras.
+/// A stored frame with its poses and cameras.
 struct KeyFrameInfo {
-  int index = 0;  ///< number of the frame in its source; one key frame a number
+  int index = 0;  ///< number of the frame in its source; unique among key frames
   double timestamp_s = 0;
   Eigen::Isometry3d T_world_depth = Eigen::Isometry3d::Identity();
   Intrinsics K_depth;
   float meters_per_unit = 0.001F;  ///< of the depth image
-  Intrinsics K_color;  ///< of the colour image, its own size; registered colour: K_depth resized to it
-  Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();  ///< registered colour: the identity
-  std::filesystem::path color_file;  ///< JPEG or PNG as recorded; empty: the frame has no colour
+  Intrinsics K_color;  ///< of the colour image, at its size; registered colour: K_depth scaled to it
+  Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();  ///< registered colour: identity
+  std::filesystem::path color_file;  ///< JPEG or PNG as recorded; empty: no colour
 
   /// T_world_color.
   [[nodiscard]] Eigen::Isometry3d colorCameraPose() const { return T_world_depth * T_color_depth.inverse(); }
 };
 
-/// What the final map shows from a camera, h x w of the camera asked for.
+/// The final map rendered from a camera, h x w of that camera.
 struct ViewOfMap {
   cv::Mat regions;  ///< CV_32SC1, region ids, 0 = unlabelled or nothing
   cv::Mat depth_m;  ///< CV_32FC1, along the optical axis, 0 = nothing
 };
 
-/// A finished scan with its labels, as data sets are made from it: a session on disk, or a scene in memory.
-/// From one thread at a time. Nothing here changes the scan. Errors name the file that is the matter.
+/// A finished scan with its labels, as the source of data sets: a session on disk, or a scene in memory.
+/// From one thread at a time. The scan is not changed. Errors name the affected file.
 class LabeledScan {
  public:
   virtual ~LabeledScan() = default;
 
-  /// For people and for file names, e.g. the session folder's name.
+  /// For messages and file names, e.g. the session folder's name.
   [[nodiscard]] virtual std::string name() const = 0;
-  /// All places and poses of the scan are relative to this point of its recording's world, in metres: whole
-  /// numbers, zero unless that is far away. What a data set says of places it says in that world.
+  /// Positions and poses of the scan are relative to this point of its recording's world, in metres:
+  /// integers, zero unless that is far away. Data sets use positions in that world.
   [[nodiscard]] virtual Eigen::Vector3d origin() const { return Eigen::Vector3d::Zero(); }
-  /// All regions there are, in any order.
+  /// All regions, in any order.
   [[nodiscard]] virtual Result<std::vector<LabeledRegion>> regions() = 0;
-  /// Frames with a pose, in order of time: key frames, or all that were kept.
+  /// Frames with a pose, in order of time: key frames, or all stored frames.
   [[nodiscard]] virtual Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) = 0;
-  /// The colour image of the key frame called `index`: CV_8UC3, BGR, of the size of K_color.
+  /// The colour image of the key frame with `index`: CV_8UC3, BGR, of the size of K_color.
   [[nodiscard]] virtual Result<cv::Mat> color(int index) = 0;
   /// Its depth image: CV_16UC1 of the size of K_depth, in units of meters_per_unit, 0 = no reading.
   [[nodiscard]] virtual Result<cv::Mat> depth(int index) = 0;
-  /// Casts one ray a pixel into the final map; present labels, nearest surface.
+  /// Casts one ray per pixel into the final map; current labels, nearest surface.
   [[nodiscard]] virtual Result<ViewOfMap> look(const Intrinsics& K,
                                                const Eigen::Isometry3d& T_world_camera) = 0;
   /// The whole surface.
   [[nodiscard]] virtual Result<LabeledMesh> mesh() = 0;
-  /// Gives the points of the labelled cloud one after the other.
+  /// Visits the points of the labelled cloud.
   [[nodiscard]] virtual Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) = 0;
   /// Tracked frames in order of time, depth camera to world.
   [[nodiscard]] virtual Result<Trajectory> trajectory() = 0;

@@ -7,26 +7,26 @@
 
 namespace scantrove {
 
-/// The regions that count, by id: those with a name or an object that are neither background nor rejected;
-/// with `background` also all that are one of these.
+/// The regions to export, by id: those with a name or an object that are neither background nor rejected;
+/// with `background` also these.
 [[nodiscard]] std::vector<LabeledRegion> chooseRegions(const std::vector<LabeledRegion>& all,
                                                        bool background);
 
-/// What a region is called: its name, else its category, else "object 7", "background", "rejected" or
+/// The display name of a region: its name, else its category, else "object 7", "background", "rejected" or
 /// "region 12". Valid UTF-8.
 [[nodiscard]] std::string displayName(const LabeledRegion& region);
 
-/// The class it belongs to: its category, else as displayName() without numbers of regions. Valid UTF-8.
+/// The class of a region: its category, else displayName() without region numbers. Valid UTF-8.
 [[nodiscard]] std::string classOf(const LabeledRegion& region);
 
-/// Classes of `regions`, each once, in alphabetical order.
+/// Classes of `regions` without duplicates, in alphabetical order.
 [[nodiscard]] std::vector<std::string> classesOf(const std::vector<LabeledRegion>& regions);
 
-/// Position of `name` in `classes`, where it is.
+/// Index of `name` in `classes`, which must contain it.
 [[nodiscard]] int classIndex(const std::vector<std::string>& classes, const std::string& name);
 
 /// `{"<region id>": {color, region, name, category, object, confirmed, background, rejected, voxels,
-/// centroid_m, box_m}}`; colours as in the program's views; what is not known is null. `origin`:
+/// centroid_m, box_m}}`; colours as in the program's views; unknown values are null. `origin`:
 /// LabeledScan::origin().
 [[nodiscard]] ExportJson legendOf(const std::vector<LabeledRegion>& regions, const Eigen::Vector3d& origin);
 

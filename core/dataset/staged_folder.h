@@ -6,31 +6,32 @@
 
 namespace scantrove {
 
-/// A folder that appears whole or not at all: it is filled as `FOLDER.part-XXXXXX` beside its place and
-/// renamed. Unless committed it is removed with this object. A killed program leaves it behind; the next one
-/// for the same place removes it if it carries our marker file and no running program has locked it.
+/// A folder that is created atomically: it is filled as `FOLDER.part-XXXXXX` beside its destination and
+/// renamed. Without a commit this object removes it. The next program for the same destination removes the
+/// remains of a killed one, if they have our marker file and no running program has locked them.
 class StagedFolder {
  public:
-  /// The marker's file name; no finished folder holds it.
+  /// The marker's file name; no finished folder contains it.
   static constexpr const char* kMarker = ".scantrove-unfinished";
 
-  /// Makes the staged folder, and missing parents of `place`. Error: something is in `place` already, it is
-  /// no folder, or its parent cannot be written to; names the path and what to do.
+  /// Creates the staged folder, and missing parents of `place`. Error: `place` is not empty or no folder,
+  /// or its parent is not writable; names the path and what to do.
   [[nodiscard]] static Result<StagedFolder> create(const std::filesystem::path& place);
 
   StagedFolder(StagedFolder&&) noexcept;
   StagedFolder& operator=(StagedFolder&&) noexcept;
   ~StagedFolder();
 
-  /// Where to write.
+  /// The path to write to.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Where it will be, absolute.
+  /// The destination, absolute.
   [[nodiscard]] const std::filesystem::path& place() const { return place_; }
 
-  /// Brings all files to the disk and renames. Error: the disk failed, or the place has been taken meanwhile.
+  /// Syncs all files to disk and renames the folder. Error: the disk failed, or the destination exists by
+  /// now.
   [[nodiscard]] Result<void> commit();
 
-  /// The same error for a person, who knows `place` only.
+  /// The same error with `place`, the only path that the user knows.
   [[nodiscard]] Error inFinalWords(Error error) const;
 
  private:
