@@ -34,7 +34,7 @@ Result<ExportSummary> exportInto(LabeledScan& scan, const ExportOptions& options
   return std::move(job.summary());
 }
 
-/// The edge where exceptions of libraries end.
+/// Turns exceptions of libraries into errors.
 Result<ExportSummary> exportGuarded(LabeledScan& scan, const ExportOptions& options, WriteFormat write,
                                     const StagedFolder& folder, const ExportProgressCallback& progress,
                                     const std::stop_token& cancel) {
@@ -48,7 +48,7 @@ Result<ExportSummary> exportGuarded(LabeledScan& scan, const ExportOptions& opti
   }
 }
 
-/// Into a folder that is there whole or not at all.
+/// Writes into a folder that is created atomically.
 Result<ExportSummary> exportWith(WriteFormat write, LabeledScan& scan, const ExportOptions& options,
                                  const ExportProgressCallback& progress, const std::stop_token& cancel) {
   auto folder = StagedFolder::create(options.folder);
@@ -89,7 +89,7 @@ Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& opti
   double voxels = 0;
   for (const LabeledRegion& region : *regions) voxels += region.voxels;
   if (!hasImages(options.format)) {
-    // Bytes for each voxel of a surface (three files with two faces a voxel make a mesh), and for each pose.
+    // Bytes per voxel of a surface (the three files of a mesh have two faces per voxel), and per pose.
     constexpr double kCloudBytes = 30, kMeshBytes = 300, kPoseBytes = 90;
     const bool is_cloud = options.format == DatasetFormat::ply || options.format == DatasetFormat::pcd;
     const double bytes = options.format == DatasetFormat::tum
@@ -105,7 +105,7 @@ Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& opti
     const std::uintmax_t size =
         frame.color_file.empty() ? 0 : std::filesystem::file_size(frame.color_file, ignored);
     const double pixels = frame.color_file.empty() ? frame.K_depth.pixels() : frame.K_color.pixels();
-    constexpr double kDepthBytes = 1.2, kMaskBytes = 0.01;  // a pixel, packed
+    constexpr double kDepthBytes = 1.2, kMaskBytes = 0.01;  // per pixel, compressed
     preview.megabytes += (ignored ? 0 : static_cast<double>(size)) / 1e6;
     preview.megabytes += pixels * (options.format == DatasetFormat::bop ? kDepthBytes : kMaskBytes) / 1e6;
   }

@@ -7,10 +7,10 @@ namespace scantrove {
 namespace {
 
 constexpr float kNearPlane_m = 0.01F;
-/// Pixels on an edge between two triangles belong to both; rounding must not take them from either.
+/// Pixels on an edge between two triangles belong to both; this tolerance keeps rounding from losing them.
 constexpr float kEdgeSlack = 1e-4F;
 
-/// A corner in the image, and one over its depth: that is linear in the image.
+/// A corner in the image, and 1 / depth, which is linear in the image.
 struct Corner {
   float u, v, inverse;
 };

@@ -33,13 +33,13 @@ ExportJson millimetersOf(const Eigen::Vector3d& v) {
 }
 
 ExportJson boxAsList(const cv::Rect& box) {
-  if (box.empty()) return {-1, -1, -1, -1};  // as bop_toolkit marks "nothing"
+  if (box.empty()) return {-1, -1, -1, -1};  // bop_toolkit's value for "nothing"
   return {box.x, box.y, box.width, box.height};
 }
 
 ExportJson cameraMatrix(const Intrinsics& K) { return {K.fx, 0.0, K.cx, 0.0, K.fy, K.cy, 0.0, 0.0, 1.0}; }
 
-/// CV_16UC1 in units of `meters_per_unit`; what does not fit is no reading.
+/// CV_16UC1 in units of `meters_per_unit`; values out of range become 0.
 cv::Mat toUnits(const cv::Mat& depth_m, float meters_per_unit) {
   cv::Mat units = cv::Mat::zeros(depth_m.size(), CV_16UC1);
   for (int y = 0; y < depth_m.rows; ++y) {
@@ -51,7 +51,7 @@ cv::Mat toUnits(const cv::Mat& depth_m, float meters_per_unit) {
   return units;
 }
 
-/// The scene in the making.
+/// The scene under construction.
 class BopScene {
  public:
   explicit BopScene(ExportJob& job) : job_(job) {}
@@ -119,7 +119,7 @@ class BopScene {
     const cv::Mat visible = image.maskOf(region);
     const cv::Mat rendered = whole.mask(visible.size());
     cv::Mat mask;
-    cv::bitwise_or(rendered, visible, mask);  // the image knows the outline better than the map
+    cv::bitwise_or(rendered, visible, mask);  // the image has a more accurate outline than the map
     const int inside = cv::countNonZero(mask);
     if (inside == 0) return {};
     const std::string file = fmt::format("/{}_{:06}.png", image.stem, poses_[key].size());

@@ -22,7 +22,7 @@ Result<void> writeLegend(ExportJob& job) {
   return job.write("labels.json", jsonByLines(legend));
 }
 
-/// Where the recording began; the world's origin if nothing was tracked.
+/// The first pose of the recording; the world's origin without poses.
 Result<Eigen::Isometry3d> firstCamera(ExportJob& job) {
   const auto trajectory = job.scan().trajectory();
   if (!trajectory) return fail(trajectory.error());

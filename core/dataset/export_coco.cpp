@@ -19,7 +19,7 @@ std::string dateNow() {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
-/// The file in the making.
+/// The file under construction.
 class CocoInstances {
  public:
   explicit CocoInstances(ExportJob& job) : job_(job), classes_(classesOf(job.chosen())) {

@@ -12,14 +12,14 @@ namespace {
 
 using MaskNumbers = std::unordered_map<std::uint32_t, std::uint16_t>;
 
-/// Region ids where 16 bits hold them, else 1, 2, ... Error: more regions than numbers.
+/// Region ids if they fit into 16 bits, else 1, 2, ... Error: more regions than numbers.
 Result<MaskNumbers> numberRegions(const std::vector<LabeledRegion>& regions) {
   constexpr std::uint32_t kMax = std::numeric_limits<std::uint16_t>::max();
   if (regions.size() > kMax) {
     return fail(std::to_string(regions.size()) + " regions do not fit into masks of 16 bits.",
                 "Export coco instead, or without --background.");
   }
-  const bool fit = regions.empty() || regions.back().id <= kMax;  // by id
+  const bool fit = regions.empty() || regions.back().id <= kMax;  // sorted by id
   MaskNumbers numbers;
   for (std::size_t i = 0; i < regions.size(); ++i)
     numbers[regions[i].id] = static_cast<std::uint16_t>(fit ? regions[i].id : i + 1);

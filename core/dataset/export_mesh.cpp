@@ -37,7 +37,7 @@ enum class ObjectPlace { in_the_scene, around_the_origin };
 
 ExportJson listOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// What brings an object around the origin back to its place.
+/// The offset of a centred object in the scene.
 Result<void> writeOffset(ExportJob& job, const std::string& stem, const LabeledRegion& region,
                          const Eigen::Vector3d& middle, const Eigen::Affine3f& y_up) {
   const ExportJson offset = {{"region", region.id},

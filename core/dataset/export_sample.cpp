@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kMaxWidth = 640;
 constexpr double kMaskOpacity = 0.45;
-constexpr double kFarthest_m = 5;  ///< is black, where there is no colour
+constexpr double kFarthest_m = 5;  ///< shown as black if there is no colour image
 
-/// Near is bright.
+/// Near depth is bright.
 cv::Mat pictureOf(const cv::Mat& depth_m) {
   cv::Mat gray, picture;
   depth_m.convertTo(gray, CV_8U, -255 / kFarthest_m, 255);
@@ -29,7 +29,7 @@ cv::Vec3b colorOf(int region) {
   return {rgb[2], rgb[1], rgb[0]};
 }
 
-/// Fills each region lightly and draws its outline.
+/// Fills each region transparently and draws its outline.
 void drawMasks(const cv::Mat& regions, cv::Mat& picture) {
   for (int y = 0; y < regions.rows; ++y) {
     const auto* row = regions.ptr<int>(y);

@@ -12,10 +12,10 @@
 namespace scantrove {
 namespace {
 
-/// Of ScanNet's own files, which tools look for by name.
+/// File names of ScanNet, which tools search for.
 constexpr const char* kSegmentsSuffix = "_vh_clean_2.0.010000.segs.json";
 
-/// A name for a scene that can stand in a file's name; tools take it apart at no character of it.
+/// A scene name that is valid in file names and without characters at which tools split it.
 std::string sceneName(const std::string& scan) {
   const std::string safe = safeFileName(0, scan);
   constexpr std::size_t kNumber = 7;  // "000000_"
@@ -24,7 +24,7 @@ std::string sceneName(const std::string& scan) {
   return name.front() == '.' || name.front() == '-' ? "scene" + name : name;
 }
 
-/// Places are single precision in these files: what the recording's world has them at is this much farther.
+/// Positions are single precision in these files; this is the offset to the recording's world.
 std::string originLine(const Eigen::Vector3d& origin) {
   if (origin.isZero(0)) return {};
   return fmt::format("origin = {:.6f} {:.6f} {:.6f}\n", origin.x(), origin.y(), origin.z());
@@ -36,7 +36,7 @@ ExportJson segmentsOf(const LabeledMesh& mesh, const std::string& name) {
   return {{"params", ExportJson::object()}, {"sceneId", name}, {"segIndices", std::move(indices)}};
 }
 
-/// Objects count from 0, and tools add one.
+/// Objects count from 0, because tools add 1.
 ExportJson aggregationOf(const ExportJob& job, const LabeledMesh& mesh, const std::string& name) {
   std::set<std::uint32_t> present;
   for (const SurfacePoint& vertex : mesh.vertices) present.insert(vertex.region);

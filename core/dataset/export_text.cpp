@@ -10,7 +10,7 @@ namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
 
-/// The character that starts at `at`, which is moved behind it; a byte that starts none is U+FFFD.
+/// The character at `at`, which is advanced; an invalid byte is U+FFFD.
 char32_t nextCharacter(std::string_view text, std::size_t& at) {
   const auto byte = [&](std::size_t i) -> unsigned {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -76,7 +76,7 @@ std::string validUtf8(std::string_view text) {
 std::string safeFileName(std::uint32_t region, std::string_view name) {
   constexpr std::size_t kLongest = 80;
   constexpr std::u32string_view kForbidden = U"/\\:*?\"'<>|$`&;!%{}[]()#~\uFFFD\uFEFF";
-  constexpr std::string_view kDropped = " .";  // at the end, by Windows
+  constexpr std::string_view kDropped = " .";  // at the end, for Windows
   name = name.substr(0, name.find_last_not_of(kDropped) + 1);
   name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
   std::string safe;

@@ -17,11 +17,11 @@
 namespace scantrove {
 namespace {
 
-/// A corner lies in the pixel that it names whether a program cuts off or rounds.
+/// Offset of a corner into its pixel, so that truncating and rounding programs find the same pixel.
 constexpr double kWithinPixel = 0.25;
 constexpr int kMinForValidation = 5;
 
-/// What one line speaks of: an object of the catalogue, all its regions, or a region that is none.
+/// One instance: an object of the catalogue with all its regions, or a region without object.
 struct Instance {
   std::string class_name;
   std::vector<std::uint32_t> regions;
@@ -48,7 +48,7 @@ std::vector<Instance> instancesOf(const std::vector<LabeledRegion>& regions) {
   return instances;
 }
 
-/// One line an instance: its class, then x and y of the corners as parts of the image's size.
+/// One line for each instance: its class, then x and y of the corners as fractions of the image's size.
 std::string yoloLine(int class_index, const std::vector<cv::Point>& outline, const cv::Size& size) {
   std::string line = std::to_string(class_index);
   for (const cv::Point& point : outline) {
@@ -58,7 +58,7 @@ std::string yoloLine(int class_index, const std::vector<cv::Point>& outline, con
   return line + "\n";
 }
 
-/// The data set in the making.
+/// The data set under construction.
 class YoloSegments {
  public:
   explicit YoloSegments(ExportJob& job)

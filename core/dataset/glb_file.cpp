@@ -37,7 +37,7 @@ std::uint16_t linearColor(std::uint8_t value) {
   return kTable[value];
 }
 
-/// A file in the making: its tables, and the buffer that they speak of.
+/// A file under construction: its tables, and the buffer that they refer to.
 class GlbBuilder {
  public:
   GlbBuilder() {
@@ -101,7 +101,7 @@ class GlbBuilder {
   }
 
  private:
-  /// Describes what was put behind `start`; elements have lengths that are multiples of four.
+  /// Describes the data from `start` on; elements have lengths that are multiples of four.
   int describe(std::size_t start, int target, ExportJson accessor) {
     accessor["bufferView"] = json_["bufferViews"].size();
     json_["bufferViews"].push_back(
@@ -127,7 +127,7 @@ class GlbBuilder {
   int addNormals(const LabeledMesh& mesh) {
     const std::size_t start = binary_.size();
     for (const SurfacePoint& vertex : mesh.vertices) {
-      const float length = vertex.normal_world.norm();  // which must be 1
+      const float length = vertex.normal_world.norm();  // must be 1
       const Eigen::Vector3f normal =
           length > 1e-6F ? Eigen::Vector3f(vertex.normal_world / length) : Eigen::Vector3f::UnitY();
       for (int i = 0; i < 3; ++i) append(binary_, normal[i]);

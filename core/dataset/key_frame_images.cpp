@@ -26,7 +26,7 @@ Result<void> checkSize(const cv::Mat& image, const Intrinsics& K, const KeyFrame
                           image.rows, K.width, K.height));
 }
 
-/// The bytes as recorded, but for an orientation, if every program reads them alike; else a PNG.
+/// The recorded bytes without an orientation if every program decodes them alike; else a PNG.
 Result<void> takeImage(LabeledImage& image, const cv::Mat& color) {
   auto bytes = readFile(image.frame.color_file);
   if (!bytes) return fail(bytes.error());

@@ -14,7 +14,7 @@ using Ring = std::vector<cv::Point>;
 constexpr double kMinPart = 0.02;
 constexpr double kMinPart_px = 9;
 
-/// Pixels inside of a ring, those on it included (Pick's theorem).
+/// Pixels inside a ring, including those on it (Pick's theorem).
 double pixelsWithin(const Ring& ring) {
   const double area = cv::contourArea(ring);
   double steps = 0;
@@ -25,7 +25,7 @@ double pixelsWithin(const Ring& ring) {
   return area + steps / 2 + 1;
 }
 
-/// Pixels of the hole that a ring runs around: those on it are not of the hole.
+/// Pixels of the hole inside a ring; those on the ring do not belong to it.
 double pixelsOfHole(const Ring& ring) {
   return std::max(1.0, 2 * cv::contourArea(ring) + 2 - pixelsWithin(ring));
 }
@@ -35,7 +35,7 @@ struct Bridge {
   int squared = std::numeric_limits<int>::max();
 };
 
-/// The shortest one from the outline to a ring that is not part of it yet.
+/// The shortest bridge from the outline to a ring that is not connected yet.
 Bridge shortestBridge(const Ring& outline, const std::vector<Ring>& rings) {
   Bridge best;
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -50,7 +50,7 @@ Bridge shortestBridge(const Ring& outline, const std::vector<Ring>& rings) {
   return best;
 }
 
-/// Over the bridge, once around the ring, and back.
+/// Inserts the bridge, the ring, and the bridge back.
 void join(Ring& outline, const Bridge& bridge, Ring ring) {
   std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(bridge.to), ring.end());
   ring.push_back(ring.front());

@@ -14,7 +14,7 @@ std::uint32_t regionOfFace(const LabeledMesh& mesh, const std::array<std::uint32
   return b == c ? b : a;
 }
 
-/// A mesh that takes over faces of another one, with the vertices that they need.
+/// A mesh that collects faces of another one with their vertices.
 struct Part {
   LabeledMesh mesh;
   std::unordered_map<std::uint32_t, std::uint32_t> taken;
@@ -64,8 +64,8 @@ Eigen::AlignedBox3f boxOf(const LabeledMesh& mesh) {
 
 float diameterOf(const LabeledMesh& mesh) {
   if (mesh.vertices.empty()) return 0;
-  // Farthest from the middle first: once two distances from it add up to less than what was found, so do all
-  // others.
+  // Farthest from the centre first: once the sum of two distances from it is below the maximum found, all
+  // later pairs are shorter.
   const Eigen::Vector3f middle = boxOf(mesh).center();
   std::vector<std::pair<float, Eigen::Vector3f>> points;
   points.reserve(mesh.vertices.size());

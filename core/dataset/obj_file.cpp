@@ -12,7 +12,7 @@ std::string encodeObj(const LabeledMesh& mesh, const std::string& name, const Ei
   std::string text = "# metres\no " + onOneLine(name) + "\n";
   const auto out = std::back_inserter(text);
   const bool is_near = origin.isZero(0);
-  for (const SurfacePoint& vertex : mesh.vertices) {  // fmt knows no languages: no decimal commas
+  for (const SurfacePoint& vertex : mesh.vertices) {  // fmt ignores the locale: no decimal commas
     const Eigen::Vector3d p = vertex.position_world_m.cast<double>() + origin;
     if (is_near) {
       fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}", p.x(), p.y(), p.z());

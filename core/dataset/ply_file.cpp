@@ -26,8 +26,8 @@ std::string plyHeader(const LabeledMesh& mesh, const PlyContent& content, const 
   return header + "end_header\n";
 }
 
-/// The first number's lowest byte must not be a line's end: assimp takes it for a part of the header, and all
-/// that follows one byte too early. The number next to it is as good.
+/// The first number's lowest byte must not be a line end: assimp takes it for a part of the header and
+/// reads all data one byte too early. The adjacent number is as good.
 void keepOffTheHeader(std::string& bytes, std::size_t data_begin) {
   if (bytes.size() > data_begin && bytes[data_begin] == '\n') ++bytes[data_begin];
 }

@@ -16,7 +16,7 @@ ExportJson listOf(const Eigen::Vector3f& v, const Eigen::Vector3d& origin) {
   return {v.x() + origin.x(), v.y() + origin.y(), v.z() + origin.z()};
 }
 
-/// Of a region without name and category.
+/// For a region without name and category.
 std::string kindOf(const LabeledRegion& region) {
   if (region.object) return "object " + std::to_string(*region.object);
   if (region.background) return "background";

@@ -15,25 +15,25 @@
 namespace scantrove {
 namespace {
 
-/// How far measured depth and map may differ on one surface: a map of voxels of half a centimetre and its
-/// poses, and the noise of structured light, which grows with the square of the distance.
+/// Maximum difference of measured depth and map on one surface: errors of half-centimetre voxels and poses,
+/// and the noise of structured light, which grows with the square of the distance.
 constexpr float kMapNoise_m = 0.01F;
 constexpr float kSensorNoisePerMeter = 0.003F;
-/// A steep surface differs by this many pixels' worth of its slope; more than this much is another surface.
+/// A steep surface may differ by this many pixels of its slope, up to a maximum.
 constexpr float kSlope_px = 1.5F;
 constexpr float kMaxSlope_m = 0.03F;
-/// Outlines of the map are at most this far from where they are: a voxel and a half, and the pose.
+/// Maximum error of the map's outlines: one and a half voxels, and the pose.
 constexpr float kOutlineError_m = 0.02F;
 constexpr int kMaxOutlineError_px = 16;
-/// What the map cannot tell apart along an outline.
+/// The map's resolution along an outline.
 constexpr float kMapDetail_m = 0.006F;
 constexpr int kMaxBand_px = 6;
-/// Across an edge, readings of both sides are not farther apart than this.
+/// Maximum distance of the readings on both sides of an edge.
 constexpr int kMixedReach_px = 3;
-/// Pieces of fewer pixels, or smaller than the map's detail squared, are noise.
+/// Pieces of fewer pixels, or smaller than the squared resolution of the map, are noise.
 constexpr int kMinComponent_px = 8;
 constexpr float kSameColor = 20;   ///< of 255, standard deviation
-constexpr float kBandVote = 0.3F;  ///< of a pixel that may itself be wrong
+constexpr float kBandVote = 0.3F;  ///< of a pixel that may be wrong itself
 constexpr float kClearMajority = 1.2F;
 
 struct Offset {
@@ -41,7 +41,7 @@ struct Offset {
   float distance;
 };
 
-/// Nearest first, itself left out.
+/// Nearest first, without the pixel itself.
 std::vector<Offset> offsetsWithin(int radius) {
   std::vector<Offset> offsets;
   for (int y = -radius; y <= radius; ++y) {
@@ -60,7 +60,7 @@ int pixelsOf(float length_m, float z_m, float focal_px, int most) {
   return std::clamp(static_cast<int>(std::lround(focal_px * length_m / std::max(z_m, 0.1F))), 1, most);
 }
 
-/// How the depth of the map may differ from a measurement of the same surface, by pixel; CV_32FC1.
+/// Tolerance between the map's depth and a measurement of the same surface, by pixel; CV_32FC1.
 cv::Mat tolerances(const cv::Mat& depth_m) {
   cv::Mat result(depth_m.size(), CV_32FC1);
   const auto at = [&](int x, int y) {
@@ -69,7 +69,7 @@ cv::Mat tolerances(const cv::Mat& depth_m) {
   for (int y = 0; y < depth_m.rows; ++y) {
     for (int x = 0; x < depth_m.cols; ++x) {
       const float z = at(x, y);
-      // The smaller step of the two is the surface's own, even beside an edge.
+      // The smaller of the two steps belongs to the surface, even beside an edge.
       const float slope = std::min(std::abs(at(x + 1, y) - z), std::abs(at(x - 1, y) - z)) +
                           std::min(std::abs(at(x, y + 1) - z), std::abs(at(x, y - 1) - z));
       result.at<float>(y, x) =
@@ -120,7 +120,7 @@ class OutlineRefiner {
         }
       }
     }
-    for (const cv::Point& point : mixed) depth_m_.at<float>(point) = 0;  // no reading of anything
+    for (const cv::Point& point : mixed) depth_m_.at<float>(point) = 0;  // mixed depths are no readings
   }
 
   [[nodiscard]] std::optional<int> nearestOfDepth(int x, int y, float z) const {
@@ -133,8 +133,7 @@ class OutlineRefiner {
     return std::nullopt;
   }
 
-  /// Whether a reading is between those of what is before and behind an edge, as many cameras give them
-  /// there.
+  /// Whether a reading mixes the depths in front of and behind an edge, as many cameras report there.
   [[nodiscard]] bool isMixed(int x, int y, float z) const {
     bool is_before = false, is_behind = false;
     for (int v = y - kMixedReach_px; v <= y + kMixedReach_px; ++v) {
@@ -153,7 +152,7 @@ class OutlineRefiner {
     return z > 0 ? z : map_.depth_m.at<float>(y, x);
   }
 
-  /// 255 within the band along the outlines, CV_8UC1.
+  /// CV_8UC1, 255 within the band along the outlines.
   [[nodiscard]] cv::Mat outlineBand() const {
     cv::Mat outline = cv::Mat::zeros(regions_.size(), CV_8UC1);
     std::array<std::vector<cv::Point>, kMaxBand_px + 1> by_radius;
@@ -189,7 +188,7 @@ class OutlineRefiner {
     }
   }
 
-  /// The region that most around the pixel vote for that look as it does.
+  /// The region with most votes of similar pixels around the pixel.
   [[nodiscard]] int elect(const cv::Mat& before, const cv::Mat& band, int x, int y) const {
     struct Party {
       int region;
@@ -228,7 +227,7 @@ class OutlineRefiner {
                                                                                 : parties.front().region;
   }
 
-  /// Small pieces become what lies around most of them.
+  /// Small pieces take the region around most of them.
   void dropSmallComponents() {
     cv::Mat visited = cv::Mat::zeros(regions_.size(), CV_8UC1);
     std::vector<cv::Point> piece;
@@ -243,8 +242,8 @@ class OutlineRefiner {
     }
   }
 
-  /// All pixels of `start`'s region that hang together with it, and the region that borders on most of them
-  /// (its own if none does).
+  /// All connected pixels of `start`'s region, and the region that borders on most of them (its own if
+  /// there is none).
   [[nodiscard]] int collectPiece(const cv::Point& start, cv::Mat& visited,
                                  std::vector<cv::Point>& piece) const {
     const int region = regions_.at<int>(start);

@@ -9,12 +9,12 @@
 namespace scantrove {
 namespace {
 
-/// Neighbouring pixels of one surface differ by less than this part of their depth: steep surfaces at a few
-/// metres change by less from pixel to pixel, and edges of things of a few centimetres by more.
+/// Neighbouring pixels of one surface differ by less than this fraction of their depth. Steep surfaces at a
+/// few metres change less per pixel, and edges of objects of a few centimetres more.
 constexpr float kSameSurface = 0.03F;
 
-/// The depth of `z`'s surface at a corner of its pixel: the mean of those of the four pixels there that go on
-/// as `z` does. Pixels of a smooth surface get the same corners, and no gaps between them.
+/// The depth of `z`'s surface at a corner of its pixel: the mean of those of the four pixels there that
+/// continue it. Pixels of a smooth surface share corners, without gaps between them.
 float cornerDepth(const cv::Mat& depth_m, int x, int y, float z) {
   float sum = 0;
   int count = 0;

@@ -30,7 +30,7 @@ tl::unexpected<Error> cannotMake(const fs::path& place, const std::string& why) 
       "Check that its parent can be written to and that the disk is not full, or choose another folder.");
 }
 
-/// Absolute, links followed, without a trailing slash: what a rename needs.
+/// Absolute, with links resolved, without a trailing slash, as a rename requires.
 fs::path placeOf(const fs::path& folder) {
   std::error_code failure;
   fs::path place = fs::weakly_canonical(fs::absolute(folder), failure);
@@ -46,8 +46,8 @@ bool isPartOf(const std::string& name, const std::string& place_name) {
                      [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
-/// A new folder of a name that nobody has, with the permissions that folders get here (mkdtemp would make it
-/// its owner's alone, and a process's umask cannot be asked for without other threads noticing).
+/// Creates a folder of an unused name with the default permissions. mkdtemp would restrict it to its owner,
+/// and a process cannot read its umask without affecting other threads.
 Result<fs::path> makePartOf(const fs::path& place) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
   std::random_device random;
@@ -61,7 +61,7 @@ Result<fs::path> makePartOf(const fs::path& place) {
   return cannotMake(place, systemReason(errno));
 }
 
-/// The marker's content. It names the staged folder, so that a renamed copy is not taken for one of ours.
+/// The marker's content. It names the staged folder, so that a renamed copy does not count as ours.
 std::string markerOf(const fs::path& part) {
   return "Scantrove has not finished this folder. The next export to the same place removes " +
          part.filename().string() + ".\n";
@@ -78,7 +78,7 @@ Result<void> writeMarker(const fs::path& part, const fs::path& place) {
   return is_written ? Result<void>() : cannotMake(place, systemReason(code));
 }
 
-/// Whether this program made the folder that is open as `folder` and has not finished it.
+/// Whether this program created the open `folder` and has not finished it.
 bool isMarked(int folder, const fs::path& part) {
   const int file = ::openat(folder, StagedFolder::kMarker, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return false;
@@ -94,8 +94,8 @@ int openFolder(const fs::path& folder) {
   return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
 }
 
-/// Removes the staged folders that killed programs left beside `place`. Each carries the marker, and nobody
-/// holds its lock.
+/// Removes the staged folders that killed programs left beside `place`: those with our marker that nobody
+/// has locked.
 void removeAbandoned(const fs::path& place) {
   std::error_code ignored;
   for (fs::directory_iterator entry(place.parent_path(), ignored), end; !ignored && entry != end;
@@ -110,8 +110,7 @@ void removeAbandoned(const fs::path& place) {
   }
 }
 
-/// Brings what was written to `folder`'s disk onto it: all of it at once, for a data set has thousands of
-/// files.
+/// Syncs the file system of `folder` once, because a data set has thousands of files.
 Result<void> flushDiskOf(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const bool done = descriptor >= 0 && ::syncfs(descriptor) == 0 && ::fsync(descriptor) == 0;
@@ -181,7 +180,7 @@ Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
   const Result<fs::path> part = makePartOf(place);
   if (!part) return fail(part.error());
   const int lock = openFolder(*part);
-  // Where a file system has no locks, an unlocked folder is as good.
+  // If a file system has no locks, an unlocked folder is accepted.
   if (lock >= 0) (void)::flock(lock, LOCK_EX | LOCK_NB);
   StagedFolder staged(place, *part, lock);
   SCANTROVE_TRY(writeMarker(*part, place));
@@ -190,7 +189,7 @@ Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
 
 Result<void> StagedFolder::commit() {
   SCANTROVE_TRY(flushDiskOf(path_));
-  // Removed before the rename: a finished folder never carries the marker, whenever the program is killed.
+  // Removed before the rename: a finished folder never contains the marker, even after a crash.
   if (::unlink((path_ / kMarker).c_str()) != 0 && errno != ENOENT)
     return cannotMake(place_, systemReason(errno));
   if (::rename(path_.c_str(), place_.c_str()) != 0) {

@@ -9,19 +9,19 @@
 namespace scantrove {
 namespace {
 
-constexpr float kMinLevelPart = 0.03F;  ///< of the vertices, for a surface to say what is level
-/// Normals of a level surface that was seen once, with a depth camera's noise, are within this of its own.
+constexpr float kMinLevelPart = 0.03F;  ///< of the vertices, for a surface to define the level
+/// Maximum deviation of normals of a level surface seen once, due to a depth camera's noise.
 constexpr float kLevel_deg = 15;
-/// Who scans looks down on things: how much that weighs against the area of a surface.
+/// Users look down on things while scanning: weight of that against the area of a surface.
 constexpr float kLookingDown = 3;
-/// Most cameras are held upright: another roll needs so much more.
+/// Most cameras are held upright: factor by which another roll must be better.
 constexpr float kUsualRoll = 1.5F;
-/// A camera that looks down more steeply does not tell by its roll what is up.
+/// If a camera looks down more steeply, its roll does not tell the up direction.
 constexpr float kSteepest_deg = 50;
 
 float cosineOf(float angle_deg) { return std::cos(angle_deg * std::numbers::pi_v<float> / 180); }
 
-/// The mean of the normals within `angle_deg` of `about`, and how many there are.
+/// The mean of the normals within `angle_deg` of `about`, and their number.
 std::pair<Eigen::Vector3f, std::size_t> meanNormal(const LabeledMesh& mesh, const Eigen::Vector3f& about,
                                                    float angle_deg) {
   const float least = cosineOf(angle_deg);
@@ -35,8 +35,8 @@ std::pair<Eigen::Vector3f, std::size_t> meanNormal(const LabeledMesh& mesh, cons
   return {sum, count};
 }
 
-/// From all that could be level to what is: whatever surface has most of it wins. None: there is no such
-/// surface.
+/// The best level direction among all candidates: that of the surface with most vertices. None: there is no
+/// such surface.
 std::optional<Eigen::Vector3f> squareToLevel(const LabeledMesh& mesh, const Eigen::Vector3f& by_hand) {
   Eigen::Vector3f up = by_hand;
   for (const float angle_deg : {kSteepest_deg, 35.0F, 25.0F, kLevel_deg, 10.0F, 5.0F, 5.0F}) {
@@ -52,13 +52,13 @@ std::optional<Eigen::Vector3f> squareToLevel(const LabeledMesh& mesh, const Eige
   return up;
 }
 
-/// One of the four ways to hold a camera, seen over all frames.
+/// One of the four ways to hold a camera, over all frames.
 struct Roll {
-  Eigen::Vector3f by_hand = Eigen::Vector3f::Zero();  ///< up, if it was held so
-  float agreement = 0;                                ///< of the frames: 1 = the same in all
+  Eigen::Vector3f by_hand = Eigen::Vector3f::Zero();  ///< the up direction if it was held so
+  float agreement = 0;                                ///< of the frames: 1 = all the same
 };
 
-/// Upright first, then turned by 90 degrees each.
+/// Upright first, then rotated by 90 degrees each.
 std::array<Roll, 4> rollsOf(std::span<const KeyFrameInfo> frames) {
   Eigen::Vector3d right = Eigen::Vector3d::Zero(), down = Eigen::Vector3d::Zero();
   for (const KeyFrameInfo& frame : frames) {
@@ -79,8 +79,8 @@ Eigen::Vector3f meanForward(std::span<const KeyFrameInfo> frames) {
   return (sum / static_cast<double>(frames.size())).cast<float>();
 }
 
-/// How much speaks for `up`: the area of what faces it and, as ceilings do, not the other way; more if the
-/// cameras look down on it, and if it is up in their images.
+/// The score of `up`: area facing up, less area facing down like ceilings; more if the cameras look down on
+/// it and have it up in their images.
 float evidenceFor(const Eigen::Vector3f& up, const LabeledMesh& mesh, const Eigen::Vector3f& forward,
                   const Roll& roll) {
   const auto facing = static_cast<float>(meanNormal(mesh, up, kLevel_deg).second);

@@ -6,7 +6,7 @@ namespace scantrove {
 
 std::optional<CameraMemory> CameraContinuation::memory() {
   if (fusion_.surface().vertices_world.size() == 0) return std::nullopt;
-  tracking_.awaitNext();  // it looks at a frame that will not come
+  tracking_.awaitNext();  // the next frame that it prepares will not come
   CameraMemory memory;
   fusion_.save(memory);
   if (PoseTracker* tracker = tracking_.tracker()) {

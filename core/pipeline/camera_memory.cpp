@@ -11,7 +11,7 @@ namespace scantrove {
 namespace {
 
 constexpr std::uint32_t kVersion = 2;
-/// Larger images are none that a camera takes.
+/// Side length in pixels that no camera's image reaches.
 constexpr int kLargestSide = 1 << 16;
 constexpr int kDescriptorBytes = 32;  ///< of a landmark: 256 bits
 
@@ -35,7 +35,7 @@ Eigen::Isometry3d getPose(ByteReader& from) {
   return T;
 }
 
-/// Of an image that is empty the camera may be, too.
+/// An empty image may have an empty camera.
 Intrinsics getCamera(ByteReader& from, bool may_be_empty = false) {
   const auto K = from.get<Intrinsics>();
   const auto isSide = [](int side) { return side > 0 && side < kLargestSide; };
@@ -62,7 +62,7 @@ bool isOf(const Intrinsics& K, const cv::Mat& image) {
   return image.empty() || (image.cols == K.width && image.rows == K.height);
 }
 
-/// Empty, or of `type`; else the reader is not ok() any more.
+/// Empty, or of `type`; otherwise the reader fails.
 cv::Mat getImage(ByteReader& from, int type) {
   const int rows = from.get<int>(), cols = from.get<int>(), stored_type = from.get<int>();
   if (rows == 0 || cols == 0) return {};

@@ -37,7 +37,7 @@ FrameTracking::Located FrameTracking::locate(const RgbdFrame& frame) {
     return result;
   };
   if (next_.valid()) {
-    // What is waited for here began beside the frame before.
+    // The work that is awaited here started beside the previous frame.
     PoseTracker::TrackingAttempt attempt = timer_.time("track", [&] { return next_.get(); });
     const DepthPyramid& depth = preprocessor_->pyramid();
     if (attempt.frame.index == frame.index && attempt.frame.depth.data == frame.depth.data)
@@ -50,7 +50,7 @@ FrameTracking::Located FrameTracking::locate(const RgbdFrame& frame) {
 }
 
 void FrameTracking::beginNext(const NextFrame& next) {
-  // A frame that is reconsidered needs the same buffers, and a profile one kernel after the other.
+  // Reconsidering a frame needs the same buffers, and a profile needs one kernel after the other.
   if (!next || !tracker_ || tracker_->hasUncertain() || compute_.isProfiling()) return;
   const std::optional<RgbdFrame> frame = next();
   if (!frame) return;

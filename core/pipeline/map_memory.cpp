@@ -30,7 +30,7 @@ double bricksOfOneView(const FusionParams& params, const Intrinsics& K) {
   const double depth_m = params.max_depth_m;
   const double area_m2 = (K.width * depth_m / K.fx) * (K.height * depth_m / K.fy);
   const double brick_m = BRICK_SIDE * static_cast<double>(params.voxel_size_m);
-  // The band around a surface reaches into one layer of bricks more than it is thick.
+  // The band around a surface overlaps one more layer of bricks than its thickness.
   const double layers = 2 * static_cast<double>(params.truncation_vox) / BRICK_SIDE + 1;
   return layers * area_m2 / (brick_m * brick_m);
 }

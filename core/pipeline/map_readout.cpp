@@ -11,8 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// Bricks that are read out at a time, and at most a page more: bounds what the
-/// whole cloud takes on the device.
+/// Bricks read out at a time, plus at most a page: bounds the device memory for the whole cloud.
 constexpr std::size_t kBricksAtATime = 1024;
 
 }  // namespace
@@ -97,7 +96,7 @@ MapReadout::RegionCount MapReadout::regionCount() {
   }
   RegionCount count;
   for (const auto& [region, of_region] : voxels) {
-    if (read && !with_surface.contains(region)) continue;  // without a device the voxels are all there is
+    if (read && !with_surface.contains(region)) continue;  // without a device only the voxels tell
     ++(of_region < kSmallFragmentVoxels ? count.small_fragments : count.regions);
   }
   return count;

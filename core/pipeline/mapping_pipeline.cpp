@@ -44,7 +44,7 @@ Result<FrameResult> MappingPipeline::processFrame(const RgbdFrame& frame, const 
 }
 
 Error MappingPipeline::outOfMemory(int frame_index) const {
-  // What a recording still has to show is taken to be like what it has shown.
+  // Extrapolates the rest of a recording from its processed part.
   const double times = frame_count_ ? std::max(1.0, static_cast<double>(*frame_count_) / frames_) : 2.0;
   std::ostringstream voxels;
   voxels << voxelSizeFor(times, params_.fusion.voxel_size_m);
@@ -78,7 +78,7 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   result.is_tracking_key_frame = learned.is_key_frame;
   result.returned = learned.returned;
 
-  // The partition is one thread's; what does not need it goes on beside it.
+  // The partition uses one thread; independent work runs beside it.
   timer_.time("segment", [&] { segmenter_->weigh(surface, params_.segmentation); });
   std::future<SegmentMap> segments =
       std::async(std::launch::async, [this] { return segmenter_->partition(params_.segmentation); });
@@ -129,7 +129,7 @@ void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable&
   };
   input.appeared = newly_appeared;
   result.candidates = finder.find(input);
-  constexpr double kMinPart = 0.0005;  // of the image: less may be a rest of something
+  constexpr double kMinPart = 0.0005;  // of the image: a smaller part may be a remnant
   const auto pixels = static_cast<double>(result.view.K.pixels());
   result.regions_in_view = finder.census().regionsOfSize(kMinPart * pixels);
 }

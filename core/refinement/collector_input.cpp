@@ -37,7 +37,7 @@ void addRequested(const ObjectCollector& collector, const DiscoveryInput& input,
                   std::vector<Candidate>& candidates) {
   const auto least_here = static_cast<int>(least_points * input.view.K.pixelScale());
   for (const auto& [region, name] : collector.requests().pending()) {
-    // A name is for the region alone; a click may mean a set that holds it.
+    // A name applies to the region alone; a click may mean a set that contains it.
     const bool is_found =
         std::ranges::any_of(candidates, [one = region, is_any = name.empty()](const Candidate& other) {
           return other.regions == RegionSet{one} || (is_any && other.regions.contains(one));

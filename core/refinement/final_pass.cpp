@@ -14,7 +14,7 @@
 namespace scantrove {
 namespace {
 
-/// At most so many of them, as far apart in the list as can be.
+/// At most so many key frames, evenly selected from the list.
 template <class T>
 std::vector<T> evenly(std::vector<T> all, std::size_t most) {
   if (all.size() <= most) return all;
@@ -23,8 +23,8 @@ std::vector<T> evenly(std::vector<T> all, std::size_t most) {
   return chosen;
 }
 
-/// Of RatedSets: a set of this objectness is about as likely to be a complete object as not; below, an object
-/// is dropped. Of the sets between this and even odds about half are complete in random rooms.
+/// RatedSets: at this objectness a set is a complete object with a probability of about one half; below, an
+/// object is dropped. Of the sets between this and even odds about half are complete in random rooms.
 constexpr float kComplete = -0.2F;
 
 constexpr std::array kPasses{RefinementPosition::Pass::segment, RefinementPosition::Pass::rate,
@@ -46,10 +46,10 @@ FinalPass::FinalPass(MappingPipeline& pipeline, ObjectCollector& collector, std:
 
 Result<void> FinalPass::run(RefinementPosition begin) {
   position_ = begin;
-  // Ratings are not kept: they count together.
+  // Ratings count together and are not stored, so this pass starts again.
   if (position_.pass == Pass::rate) position_.frames = 0;
   for (; position_.pass != Pass::done; position_ = {after(position_.pass), 0}) {
-    if (!callbacks_.may_continue()) return {};  // a pass may begin by reading the whole map
+    if (!callbacks_.may_continue()) return {};  // a pass may first read the whole map
     const Result<bool> is_done = runPass();
     if (!is_done) return fail(is_done.error());
     if (!*is_done) return {};
@@ -90,7 +90,7 @@ Result<bool> FinalPass::forEach(const std::vector<Task>& tasks,
 Result<bool> FinalPass::forEachKeyFrame(const std::vector<const KeyFrame*>& keys, const FrameStep& step) {
   return forEach<const KeyFrame*>(keys, [&](const KeyFrame* key) -> Result<void> {
     const Result<RgbdFrame> frame = key->read();
-    if (!frame) return {};  // whoever opens the key frame is told
+    if (!frame) return {};  // reported by whoever opens the key frame
     return step(*frame, key->T_world_camera);
   });
 }
@@ -112,8 +112,7 @@ Result<bool> FinalPass::segment() {
                          });
 }
 
-/// Rates the regions, and finer ones, by all key frames together; the most likely complete objects become
-/// regions.
+/// Rates regions and finer ones over all key frames; the most likely complete objects become regions.
 Result<bool> FinalPass::rate() {
   SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.labels().table())));
   MapLabels& labels = pipeline_.labels();
@@ -123,7 +122,7 @@ Result<bool> FinalPass::rate() {
   std::unique_ptr<RegionJudge> finer_judge;
   if (finer.areDivided()) {
     SCANTROVE_TRY(moveInto(finer_judge, makeJudge(finer.table())));
-    // What holds no part is rated as it is.
+    // Sets without parts are rated as they are.
     finer_judge->askOnlyOf([&finer](const RegionSet& regions) { return finer.holdsPart(regions); });
   }
   collector_.beginRefinement();
@@ -161,7 +160,7 @@ Result<bool> FinalPass::rate() {
   return true;
 }
 
-/// Views that show their objects otherwise than the map does now count no longer.
+/// Views that differ from the map's current content are outdated.
 Result<bool> FinalPass::judgeViews() {
   return forEach<int>(collector_.views().framesOfViews(), [this](int frame_index) {
     return guarded("judging the views of frame " + std::to_string(frame_index),
@@ -179,14 +178,14 @@ Result<void> FinalPass::judgeViewsOf(int frame_index) {
   return {};
 }
 
-/// Objects and views that the scan missed.
+/// Adds objects and views that the scan missed.
 Result<bool> FinalPass::collect() {
   return forEachKeyFrame(allKeyFrames(), [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) {
     return collectFrom(frame, T);
   });
 }
 
-/// Objects that still have no view, from the frames that show them best.
+/// Adds views of objects without any, from the frames that show them best.
 Result<bool> FinalPass::complete() {
   const std::vector<int> needed = collector_.beginLastPass();
   std::vector<const KeyFrame*> keys = allKeyFrames();
@@ -199,7 +198,7 @@ Result<bool> FinalPass::complete() {
 }
 
 Result<void> FinalPass::collectFrom(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
-  if (!judge_) {  // of a refinement that was settled earlier
+  if (!judge_) {  // the regions were settled in an earlier run
     SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.labels().table())));
   }
   judge_->askOnlyOf([this](const RegionSet& regions) { return collector_.mayBeObject(regions); });
@@ -230,7 +229,7 @@ int FinalPass::stepsOf(Pass pass) const {
   return is_short ? (keyFrames() + 3) / 4 : keyFrames();
 }
 
-/// The number of tasks in a pass is known when it begins, its part of all steps before.
+/// The number of tasks of a pass is known at its start, its share of the progress from the beginning.
 void FinalPass::reportProgress(std::size_t tasks) const {
   int done = 0, all = 0;
   for (const Pass pass : kPasses) {

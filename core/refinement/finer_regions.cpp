@@ -7,12 +7,12 @@
 namespace scantrove {
 namespace {
 
-/// Log-odds that every border speaks less for joining.
+/// Log-odds by which each border has less evidence for joining.
 constexpr float kLess = 4;
 
 using Fragments = std::vector<FragmentId>;
 
-/// Where they touch.
+/// Forbids joins across the borders between the two.
 void keepApart(const Fragments& one, const Fragments& other, RegionMerger& merger) {
   for (const FragmentId a : one) {
     for (const FragmentId b : merger.neighborsOf(a)) {

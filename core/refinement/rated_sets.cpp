@@ -9,10 +9,10 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kObservations = 8;
-// On random scenes that the judge was not fitted to 0.66 of the sets above 0.4 m that it took were whole, and
-// 0.87 of smaller ones; with this it is 0.80, and as much is found.
+// On random scenes outside the judge's training data, 0.66 of the selected sets above 0.4 m were complete,
+// and 0.87 of smaller ones; with this it is 0.80, with as many found.
 constexpr float kLargeFrom_m = 0.3F;
-constexpr float kLessOfLarge = 2;  // for each e times as large
+constexpr float kLessOfLarge = 2;  // subtracted for each factor e of size
 
 }  // namespace
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kRefinementVersion = 1;
 constexpr const char* kMemoryKey = "refinement memory";
 
-/// How many operations there are, and how many of them are done.
+/// Number of operations, and how many of them are done.
 std::pair<int, int> countsOf(std::span<const OperationLog::Entry> operations) {
   const auto done = std::ranges::count(operations, OperationLog::State::done, &OperationLog::Entry::state);
   return {static_cast<int>(operations.size()), static_cast<int>(done)};

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// So often it is begun again because somebody began to write into the catalogue.
+/// Number of attempts if others write into the catalogue during the export.
 constexpr int kMaxExports = 3;
 
 ExportJson toJson(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
@@ -30,7 +30,7 @@ ExportJson toJson(const Intrinsics& K) {
   return {{"fx", K.fx}, {"fy", K.fy}, {"cx", K.cx}, {"cy", K.cy}, {"width", K.width}, {"height", K.height}};
 }
 
-/// Of the images of a view: the part of the camera's image that its box is, at their size.
+/// Intrinsics of a view's images: the part of the camera's image in its box, at their size.
 Intrinsics cropOf(const Intrinsics& K, const ObjectView& view) {
   const cv::Rect& box = view.box_px;
   const Intrinsics part{
@@ -80,7 +80,7 @@ ExportJson objectToJson(const ObjectRecord& object, const std::string& folder, s
           {"created", object.created}};
 }
 
-/// One export on its way into `folder`.
+/// One export into `folder`.
 class CatalogueExportJob {
  public:
   CatalogueExportJob(ObjectDatabase& database, fs::path folder)
@@ -145,7 +145,7 @@ class CatalogueExportJob {
   CatalogueExportSummary summary_;
 };
 
-/// None: somebody began to write into the catalogue meanwhile.
+/// None: somebody wrote into the catalogue meanwhile.
 Result<std::optional<CatalogueExportSummary>> exportOnce(const std::string& database, const fs::path& folder,
                                                          const ExportProgressCallback& progress,
                                                          const std::stop_token& cancel) {

@@ -15,7 +15,7 @@
 namespace scantrove {
 namespace {
 
-/// Images between two entries in the session's record: bounds the memory (0.5 MB) and the entries.
+/// Images between two entries in the session's record: bounds memory (0.5 MB) and entries.
 constexpr std::size_t kMaxDrawn = 64;
 
 std::uint32_t crcOfBytes(const std::string& bytes) { return crc32Of({bytes.data(), bytes.size()}); }
@@ -161,8 +161,8 @@ Result<void> FinalLabelImages::draw(int frame_index, const cv::Mat& depth) {
   return drawn_.size() < kMaxDrawn ? Result<void>() : writeDrawn();
 }
 
-/// The record names the new files before they are there: else a killed program would leave files that seem to
-/// be somebody's.
+/// Records the new files before they are written: after a crash they would otherwise seem to belong to
+/// somebody.
 Result<void> FinalLabelImages::writeDrawn() {
   if (drawn_.empty()) return {};
   SCANTROVE_TRY((*store_)(record_));

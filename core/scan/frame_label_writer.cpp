@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "core/base/checksum.h"
+#include "core/base/first_error.h"
 #include "core/base/thread_priority.h"
 #include "core/compute/guarded.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/label_image_writer.h"
 #include "core/exchange/part_name.h"
 #include "core/image/png_encoder.h"
-#include "core/base/first_error.h"
 #include "core/segmentation/upsample_segments.h"
 
 namespace scantrove {
@@ -67,7 +67,7 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, upsampler.apply(segments.ids), size));
   SCANTROVE_TRY(
       writeLabelImage(folder_ / "labels" / name, numbers_.numbersOf(upsampler.apply(frame.regions)), size));
-  // A part's name: when this process is killed, the next scan into the folder removes the file.
+  // A temporary name: if this process is killed, the next scan into the folder removes the file.
   const std::filesystem::path depth_file = makePartName(folder_ / "labels-final" / name);
   SCANTROVE_TRY(writeFileAtomically(depth_file, encodePng(frame.depth), Durability::process));
   written_.push_back(
@@ -77,7 +77,7 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
 
 Result<void> FrameLabelWriter::finish(const RenderView& look) {
   close();
-  std::future<Result<void>> writing;  // of the frame before: encoded while the map is looked at for the next
+  std::future<Result<void>> writing;  // of the previous frame: encoded while the next one is rendered
   FirstError outcome;
   outcome.note(outcome_);
   bool written = true;

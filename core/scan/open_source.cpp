@@ -40,7 +40,7 @@ OpenedSource openDemo(const std::string& source, const SourceOptions& options) {
   return std::move(*demo);
 }
 
-/// A 7-Scenes download holds its recordings in seq-01, seq-02, ...: say so instead of only "nothing found".
+/// A 7-Scenes download contains its recordings in seq-01, seq-02, ...: the message says so.
 std::string recordingInside(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     std::error_code error;

@@ -8,9 +8,9 @@
 namespace scantrove {
 namespace {
 
-/// Of the image.
+/// Share of the image.
 constexpr double kMax = 0.5;
-/// Frames after which it is settled whether most of them show what is too far away.
+/// Frames after which it is decided whether most of the surface is too far away.
 constexpr int kFramesToJudge = 20;
 
 std::string meters(double value) {
@@ -20,7 +20,7 @@ std::string meters(double value) {
   return text.str();
 }
 
-/// Pixels with readings beyond `depth_m`, as a share of the image.
+/// Pixels with readings beyond `depth_m`, as a fraction of the image.
 double shareBeyond(const RgbdFrame& frame, double depth_m) {
   if (frame.depth.empty()) return 0;
   const cv::Mat beyond = frame.depth > depth_m / static_cast<double>(frame.meters_per_unit);

@@ -32,7 +32,7 @@ Result<FrameObjects> ScanObjects::addFrame(const RgbdFrame& frame, const FrameRe
 void ScanObjects::keepKnown(const FrameObjects& objects) {
   using Known = MapLabels::Known;
   for (const SeenObject& seen : objects.seen) {
-    // What a user confirmed is one thing, of however many regions it was found.
+    // A confirmed object is one thing, whatever number of regions it was found as.
     pipeline_.labels().setKnown(
         seen.regions, seen.confirmed ? Known::one_thing : (seen.recognized ? Known::yes : Known::no));
   }
@@ -69,7 +69,7 @@ void ScanObjects::followNames(const Operation& operation, EditDirection directio
   } else {
     for (auto region = operation.regions.rbegin(); region != operation.regions.rend(); ++region) {
       collector_->requests().undoName(*region, operation.name);
-      // The name that it had before may have waited for the object until now.
+      // The previous name may have waited for the object until now.
       const std::string& name = pipeline_.labels().editor().notes().of(*region).name;
       if (!name.empty() && !collector_->requests().hasNamed(*region, name))
         collector_->requests().name(*region, name);
@@ -120,7 +120,7 @@ Result<void> ScanObjects::addRequestedAtEnd(const std::function<void(const Frame
 }
 
 Result<void> ScanObjects::finish(const std::function<void(const FrameObjects&)>& announce) {
-  // A device that failed keeps nothing from being stored that was found before.
+  // After a device failure everything found before is still stored.
   Result<void> added = guarded("adding what was named last", [&] { return addRequestedAtEnd(announce); });
   SCANTROVE_TRY(collector_->finish(announce));
   return added;

@@ -18,7 +18,7 @@
 namespace scantrove {
 namespace {
 
-/// The same pixels, and within a hundredth the same lens.
+/// The same resolution, and the same lens to a hundredth.
 bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
   const auto isNear = [](float x, float y, float scale) { return std::abs(x - y) <= 0.01F * scale; };
   return a.width == b.width && a.height == b.height && isNear(a.fx, b.fx, a.fx) && isNear(a.fy, b.fy, a.fy) &&
@@ -77,7 +77,7 @@ Result<void> ScanOpener::openSessionToRefine() {
   if (!setup) return fail(setup.error());
   request.source = setup->source;
   request.params = setup->params;
-  // A scan of the window has a session alone.
+  // A scan of the window has only a session.
   request.results = ownResults(folder).files;
   parts_.origin_world = setup->origin_m;
   request.database = databaseFileOf(*setup, folder).string();
@@ -86,7 +86,7 @@ Result<void> ScanOpener::openSessionToRefine() {
     return fail("The catalogue " + request.database + " of the scan " + folder.string() + " is not there.",
                 "Put it back, then refine the scan.");
   }
-  request.poses = ScanRequest::Poses::given;  // nothing is tracked any more
+  request.poses = ScanRequest::Poses::given;  // no more tracking
   FrameCounts& frames = parts_.earlier_frames;
   for (const SavedFrame& frame : earlier_->frames) {
     ++frames.read;
@@ -123,7 +123,7 @@ Result<void> ScanOpener::openSession(const SourceInfo& info) {
     return readSession(info);
   }
   SCANTROVE_TRY(beginSession(info));
-  return checkFolder();  // once more, now that nobody else can begin there
+  return checkFolder();  // checked again, because nobody else can start a scan there now
 }
 
 Result<void> ScanOpener::beginSession(const SourceInfo& info) {
@@ -134,7 +134,7 @@ Result<void> ScanOpener::beginSession(const SourceInfo& info) {
   setup.metadata = metadataOf({request.source, info.intrinsics, request.params,
                                storedDatabaseName(request.database, *request.output_folder)});
   setup.metadata.merge(refinementMetadata(false));
-  // What an earlier scan wrote and this one does not replace stays this program's.
+  // Files of an earlier scan that this one does not replace still belong to this program.
   const bool writes_labels = parts_.output && request.label_maps;
   if (parts_.output || own.files) setup.metadata[kResultsKey] = kResultsBegun;
   if (writes_labels || own.label_images) setup.metadata[kLabelImagesKey] = "yes";
@@ -157,7 +157,7 @@ Result<void> ScanOpener::readSession(const SourceInfo& info) {
   if (!request.database.empty()) return {};
   std::filesystem::path file = databaseFileOf(*setup, *request.output_folder);
   std::error_code ignored;
-  // Of a session that was taken elsewhere without it.
+  // The catalogue of a session that was copied without it.
   if (!std::filesystem::exists(file, ignored)) file = *request.output_folder / "catalogue.sqlite";
   request.database = file.string();
   return {};
@@ -169,8 +169,8 @@ Result<void> ScanOpener::loadEarlier() {
   const auto pending = earlier_->metadata.find(kPendingEditsKey);
   if (pending != earlier_->metadata.end() && !pending->second.empty()) {
     const std::filesystem::path folder = session_->folder();
-    session_.reset();  // for one at a time
-    // Opening it does that. What cannot be done by now waits on.
+    session_.reset();  // only one at a time
+    // Opening completes the edits that are possible now; others wait.
     if (const auto opened = OpenSession::open(folder, parts_.request.device); !opened)
       return fail(opened.error());
     SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
@@ -230,7 +230,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
     RegionTable& table = parts_.pipeline->labels().table();
     for (const RegionId region : parts_.refinement.known) table.setKnown(region, true);
   } else {
-    recorder.setMetadata("ended", "");  // not this time, yet
+    recorder.setMetadata("ended", "");  // not ended this time
     for (const auto& [name, value] : refinementMetadata(false)) recorder.setMetadata(name, value);
     continueNumbers(earlier_->frames);
     if (parts_.output) SCANTROVE_TRY(recorder.keepMetadata(kResultsKey, kResultsBegun));

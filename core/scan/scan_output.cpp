@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/first_error.h"
 #include "core/compute/guarded.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/cloud_writer.h"
 #include "core/exchange/label_map_writer.h"
 #include "core/exchange/region_palette.h"
 #include "core/exchange/trajectory_writer.h"
-#include "core/base/first_error.h"
 #include "core/scan/report_json.h"
 
 namespace scantrove {
@@ -78,7 +78,7 @@ Result<void> ScanOutput::finish(MappingPipeline& pipeline, const std::map<Region
   };
   if (label_images_) attempt("writing the label images", [&] { return label_images_->finish(look); });
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, labels); });
-  // Last: it may read whole recordings again.
+  // Last, because it may read whole recordings again.
   const FinalLabelRecord own = label_images_ ? label_images_->written() : FinalLabelRecord();
   attempt("drawing the label images again", [&] { return final_labels_.redraw(own, numbers_, look, store); });
   return outcome.result();
@@ -108,13 +108,13 @@ Result<void> ScanOutput::writeCloud(MappingPipeline& pipeline,
     points.push_back(
         {point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], region.value});
   };
-  // What could be read until the device or memory fails is written.
+  // If device or memory fails, the points read so far are written.
   outcome.note(
       guarded("reading out the labelled cloud", [&] { return pipeline.readout().forEachCloudPoint(add); }));
   cloud_points_ = points.size();
   std::vector<LabelMapEntry> list;
   for (auto& [region, entry] : entries) list.push_back(std::move(entry));
-  // Edits of the session later do not change these files: they say which moment they are of.
+  // Later edits of the session do not change these files, so they state their date.
   const std::string comment =
       std::string(kCloudComment) +
       " of the session as the scan ended; 'scantrove export' writes it with later edits";

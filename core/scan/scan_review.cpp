@@ -16,13 +16,13 @@
 namespace scantrove {
 namespace {
 
-/// Above those of any scan: the window may have its bricks.
+/// Above the versions of any scan, whose bricks the window may have.
 constexpr std::uint64_t kVersionsOfScan = std::uint64_t{1} << 40U;
 
-/// What fills less of an image may be a rest of something.
+/// A smaller part of an image may be a remnant.
 constexpr double kMinPart = 0.001;
 
-/// What a frame would have given that shows the map as it is now.
+/// The result that a frame with the current map would have had.
 FrameResult resultOf(RenderedView view) {
   FrameResult result;
   result.pose.T_world_camera = view.T_world_camera;
@@ -60,7 +60,7 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
   }
   review->snapshots_.setKeyFrames(std::move(numbers), std::move(trail));
   review->snapshots_.setLabels({[&opened] { return opened.labels(); }});
-  // The newest: it is what was seen last when a scan has just ended.
+  // The newest, which was seen last when a scan has just ended.
   review->shown_ = static_cast<int>(review->key_frames_.size()) - 1;
   return review;
 }
@@ -86,7 +86,7 @@ Result<void> ScanReview::lookAgain() {
       pipeline.readout().renderView(saved.T_world_camera, pipeline.workingIntrinsics());
   if (!view) return fail(view.error());
   Result<RgbdFrame> frame = readKeyFrame(session_->folder(), key, saved);
-  // Its labels can be seen without its pictures.
+  // Its labels can be shown without its images.
   if (!frame) {
     listener_(MapFailed{frame.error()});
     frame = RgbdFrame{};

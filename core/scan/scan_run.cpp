@@ -183,7 +183,7 @@ Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit) {
                                                                             : EditDirection::done);
   if (!parts_.recorder) return outcome;
   keepJoins();
-  // It is not said to be done before it is safe.
+  // Reported as done only when stored.
   SCANTROVE_TRY(guarded("keeping the edit",
                         [&] { return parts_.recorder->save(pipeline, &parts_.objects->collector()); }));
   return outcome;
@@ -233,7 +233,7 @@ void ScanRun::refine(const Ending& ending) {
 Result<ScanReport> ScanRun::finish(const Ending& ending) {
   stopClock();
   FirstError outcome;
-  // First what needs nothing but this process: a catalogue or a device may take its time to fail.
+  // Parts that need only this process come first: catalogue or device may fail slowly.
   const bool has_results = parts_.output && !parts_.keeps_earlier_scan;
   if (has_results) outcome.note(parts_.output->writeTrajectory());
   refine(ending);

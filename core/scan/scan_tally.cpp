@@ -10,7 +10,7 @@
 namespace scantrove {
 namespace {
 
-/// Landmarks tell where they are to a few centimetres.
+/// The accuracy of landmarks is a few centimetres.
 constexpr double kReportedDrift_m = 0.10;
 constexpr double kClearlyWorse = 1.5;
 
@@ -49,7 +49,7 @@ std::optional<Error> ScanTally::measureDrift(const FrameResult& result, int fram
   }
   if (!result.returned) return std::nullopt;
   ++drift_.revisited_key_frames;
-  // Told once, and again when it has become clearly worse.
+  // Reported once, and again when clearly worse.
   const double drift_m = result.returned->drift_m;
   const bool is_told = drift_m > kReportedDrift_m && drift_m > kClearlyWorse * drift_.most_m;
   drift_.most_m = std::max(drift_.most_m, drift_m);

@@ -55,7 +55,7 @@ void ScanWorker::post(ScanCommand command) {
         [this]<class Command>(const Command&) {
           if (kEndsScan<Command> || kIsOneOf<Command, CancelExport>) export_stop_.request_stop();
           if (kIsOneOf<Command, ExportDataset>) export_stop_ = std::stop_source();
-          // What a person did to the scan that runs is done before it ends.
+          // A user's edits of the running scan are executed before it ends.
           if (kEndsScan<Command>) std::erase_if(queue_, std::not_fn(is<EditRegions>));
           if (kIsOneOf<Command, StopScan>) std::erase_if(queue_, is<StartScan>);
           if (kNewestReplaces<Command>) std::erase_if(queue_, is<Command>);
@@ -187,7 +187,7 @@ bool ScanWorker::isEnding() {
   return control_.is_stopped || control_.is_closed || (!queue_.empty() && is<StartScan>(queue_.front()));
 }
 
-/// Who closes the program or starts another scan does not wait for what can be done later.
+/// Closing the program or starting another scan does not wait for work that can be done later.
 bool ScanWorker::isRefinementSkipped() {
   const std::scoped_lock lock(mutex_);
   return control_.skips_refinement || control_.is_closed || isPosted<SkipRefinement>() ||
@@ -208,7 +208,7 @@ bool ScanWorker::runScan(const ScanRequest& request) {
   enter(ScanState::finishing);
   const ScanState end = outcome.result() ? ScanState::finished : ScanState::failed;
   outcome.note(guarded("showing the end of the scan", [&] { return (*run)->showNow(end); }));
-  // Even when the scan broke off, what was scanned is kept.
+  // The scanned part is stored even if the scan was interrupted.
   Result<ScanReport> report = guarded("ending the scan", [&] {
     return (*run)->finish({[this] { return !isRefinementSkipped(); }, [this](ScanState now) { enter(now); }});
   });
@@ -234,7 +234,7 @@ Result<void> ScanWorker::scanFrames(ScanRun& run) {
       continue;
     }
     if (control_.steps > 0) --control_.steps;
-    // Who has just done something sees it before the next frame is through.
+    // A user sees an edit before the next frame is processed.
     if (changes_.regions && !is_paused && run.hasFrames())
       SCANTROVE_TRY(run.showWhenDue(ScanState::scanning));
     enter(is_paused ? ScanState::paused : ScanState::scanning);
@@ -267,7 +267,7 @@ Result<void> ScanWorker::awaitTurn(ScanRun& run) {
   return {};
 }
 
-/// Shows what commands have changed of the frame at which a scan is paused.
+/// Shows the changes by commands to the frame at which a scan is paused.
 Result<void> ScanWorker::showPaused(ScanRun& run) {
   const bool is_changed = changes_.catalogue && run.followCatalogue();
   if (!run.hasFrames()) return {};
@@ -281,7 +281,7 @@ void ScanWorker::review(const ScanRequest& request, bool is_after_scan) {
     const std::scoped_lock lock(mutex_);
     const bool is_ending = isPosted<CloseScan>() || isPosted<StartScan>();
     if (control_.is_closed || (is_ending && !is<EditRegions>(queue_.front()))) return;
-    is_running_ = !is_after_scan;  // who waits for the scan need not wait for this
+    is_running_ = !is_after_scan;  // waiting for the scan does not include this
   }
   changed_.notify_all();
   if (!is_after_scan) enter(ScanState::starting);

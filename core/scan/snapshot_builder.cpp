@@ -13,8 +13,8 @@
 namespace scantrove {
 namespace {
 constexpr auto kMinInterval = std::chrono::milliseconds(80);
-/// Voxels at most so far from the surface, in voxels, show it: any less, and a slanting one has holes; any
-/// more, and it is drawn in several layers.
+/// Voxels up to this distance from the surface, in voxels, are displayed. With less, slanted surfaces have
+/// holes; with more, they are drawn in several layers.
 constexpr float kHalfSheet = 0.6F;
 
 std::int32_t number(std::uint32_t segment) { return static_cast<std::int32_t>(segment); }
@@ -37,7 +37,7 @@ cv::Mat rawDepth(const RgbdFrame& frame, const Intrinsics& K) {
   return small;
 }
 
-/// Different regions in the image.
+/// Number of different regions in the image.
 int countRegions(const RenderedView& view) {
   std::unordered_set<RegionId> in_view;
   RegionId last;
@@ -233,7 +233,7 @@ Result<void> SnapshotBuilder::addChangedBricks(MappingPipeline& pipeline, Bricks
     bricks = which == Bricks::all ? waiting_.takeAny(kMaxBricks) : waiting_.takeDue(kMaxBricks);
     SCANTROVE_TRY(readBricks(pipeline, bricks, changed));
   } while (which == Bricks::all && bricks.size() == kMaxBricks);
-  // What a snapshot that was never collected held goes with this one.
+  // The content of a snapshot that was never taken goes with this one.
   if (const auto uncollected = mailbox_.collect()) {
     snapshot.changed_bricks = uncollected->changed_bricks;
     snapshot.changed_regions = uncollected->changed_regions;

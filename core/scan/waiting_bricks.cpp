@@ -5,7 +5,7 @@
 namespace scantrove {
 namespace {
 
-/// Frames until the next turn of a brick that was shown so often.
+/// Frames until the next turn of a brick, by the number of its displays.
 int waitAfter(std::uint8_t times_shown) {
   int wait = 1;
   while (--times_shown > 0 && wait < WaitingBricks::kLongestWait) wait *= 2;
