@@ -27,7 +27,7 @@ std::vector<RegionSet> setsIn(const PaintedScene& scene) {
   return of_found;
 }
 
-TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
+TEST(RegionPoints, BulgeIsPositiveForABallZeroForAPlaneNegativeForADent) {
   PaintedScene scene;
   const RegionId ball{7}, dent{8}, plane{9};
   const auto paintBall = [&](RegionId region, int center_u, float side) {
@@ -58,7 +58,7 @@ TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
   EXPECT_EQ(bulgeOf({RegionId{99}}, all, input), 0);
 }
 
-TEST(RuleBasedFinder, NeighborsThatAreNearToJoiningAreAHypothesisTogether) {
+TEST(RuleBasedFinder, ProposesNeighborsTogether_WhenCloseToJoining) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 20, 30}, 1.0F);
   scene.paintBump(9, {80, 50, 20, 30}, 1.0F);
@@ -70,7 +70,7 @@ TEST(RuleBasedFinder, NeighborsThatAreNearToJoiningAreAHypothesisTogether) {
   EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "clearly two";
 }
 
-TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
+TEST(RuleBasedFinder, ProposesABowlsInsideOnlyWithItsOutside) {
   // Seen from above: a hollow whose near side the front wall hides.
   PaintedScene scene;
   const RegionId inside{8}, outside{7};
@@ -85,7 +85,7 @@ TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
   EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}));
 }
 
-TEST(RuleBasedFinder, WhatStandsInAPlateIsNotItsOutside) {
+TEST(RuleBasedFinder, ObjectInAPlateIsNotItsOutside) {
   PaintedScene scene;
   const RegionId can{7}, plate{8};
   scene.paintBowl(plate.value, {50, 50, 60, 30}, 1.08F);
@@ -102,7 +102,7 @@ TEST(RuleBasedFinder, WhatStandsInAPlateIsNotItsOutside) {
   for (const RegionHypothesis& hypothesis : hypotheses) EXPECT_FALSE(hypothesis.is_inconsistent);
 }
 
-TEST(Candidate, AClearThingMayBeHiddenMore) {
+TEST(Candidate, ClearObjectMayBeHiddenMore) {
   Candidate candidate;
   candidate.outline = 0.95F;
   candidate.bulge = 0.3F;
@@ -114,7 +114,7 @@ TEST(Candidate, AClearThingMayBeHiddenMore) {
   EXPECT_EQ(candidate.mostHidden(0.3F), 0.3F);
 }
 
-TEST(ChooseDisjoint, TakesTheBestOfThoseThatShareRegions) {
+TEST(ChooseDisjoint, KeepsTheBest_WhenCandidatesShareRegions) {
   const auto candidate = [](const RegionSet& regions, float outline, bool is_complete, float odds = 0) {
     Candidate made;
     made.regions = regions;

@@ -10,7 +10,7 @@ namespace {
 
 using test::PaintedScene;
 
-TEST(RegionPoints, WhatSpillsThroughAGapIsNoPartOfThem) {
+TEST(RegionPoints, OmitsSpillThroughGaps) {
   const cv::Rect box(60, 45, 40, 30);
   const auto sizeOf = [&](const PaintedScene& scene) {
     const DiscoveryInput input = scene.input();

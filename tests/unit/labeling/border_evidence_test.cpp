@@ -125,7 +125,7 @@ TEST(BorderEvidence, FewObservationsSeparateButDoNotJoin) {
   EXPECT_LT(after(nearLook(0), 0, 1).weight(kVoxels, kVoxels, -100), 0);
 }
 
-TEST(BorderEvidence, OddsRise_WithSharedSegmentsAndFall_WithFoldsAndColorDifferences) {
+TEST(BorderEvidence, OddsFollowSegmentsFoldsAndColors) {
   const auto oddsOf = [](const FragmentContact& contact, float shared) {
     return after(contact, shared, 10).logOdds(kVoxels, kVoxels);
   };

@@ -12,7 +12,7 @@ constexpr int kSide = ChromaHistogram::kSide;
 // Centres of bins are 8 apart, the middle of 16 is grey: those of bins 7 and 8 are -4 and 4.
 int binOf(int a, int b) { return a * kSide + b; }
 
-TEST(ChromaHistogram, AColorCountsInTheBinsNearestWhateverItsBrightness) {
+TEST(ChromaHistogram, ColorCountsInTheNearestBins_AtAnyBrightness) {
   ChromaHistogram histogram;
   histogram.add({90, 4, -4});
   histogram.add({10, 4, -4});
@@ -25,7 +25,7 @@ TEST(ChromaHistogram, AColorCountsInTheBinsNearestWhateverItsBrightness) {
   EXPECT_FLOAT_EQ(histogram.counts().sum(), 3);
 }
 
-TEST(ChromaHistogram, ColorsBeyondItCountInTheLastBins) {
+TEST(ChromaHistogram, ColorsOutsideTheRangeCountInTheLastBins) {
   ChromaHistogram histogram;
   histogram.add({50, 127, 127});
   histogram.add({50, -128, -128});
@@ -35,7 +35,7 @@ TEST(ChromaHistogram, ColorsBeyondItCountInTheLastBins) {
   EXPECT_NEAR(histogram.counts().sum(), 3, 1e-5F);
 }
 
-TEST(ChromaHistogram, KnowsHowFarFromGrayEachBinIs) {
+TEST(ChromaHistogram, ChromasAreDistancesFromGray) {
   EXPECT_FLOAT_EQ(ChromaHistogram::chromas()[binOf(8, 7)], std::hypot(4.0F, 4.0F));
   EXPECT_FLOAT_EQ(ChromaHistogram::chromas()[binOf(12, 8)], std::hypot(36.0F, 4.0F));
   EXPECT_FLOAT_EQ(ChromaHistogram::chromas()[binOf(0, 15)], std::hypot(60.0F, 60.0F));

@@ -12,7 +12,7 @@ std::vector<std::uint32_t> othersOf(const EvidenceGraph& graph, std::uint32_t fr
   return others;
 }
 
-TEST(EvidenceGraph, ABorderIsOneFromBothSides) {
+TEST(EvidenceGraph, BorderIsTheSameFromBothSides) {
   EvidenceGraph graph;
   graph.between(FragmentId{5}, FragmentId{2}).observations = 7;
   EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{5}).observations, 7);
@@ -23,14 +23,14 @@ TEST(EvidenceGraph, ABorderIsOneFromBothSides) {
   }
 }
 
-TEST(EvidenceGraph, LinksAreInTheOrderOfTheOthers) {
+TEST(EvidenceGraph, LinksAreOrderedByTheOtherFragment) {
   EvidenceGraph graph;
   for (const std::uint32_t other : {9U, 1U, 7U, 3U}) (void)graph.between(FragmentId{4}, FragmentId{other});
   EXPECT_THAT(othersOf(graph, 4), testing::ElementsAre(1, 3, 7, 9));
   EXPECT_THAT(othersOf(graph, 100), testing::IsEmpty());
 }
 
-TEST(EvidenceGraph, RemovingAFragmentForgetsItsBordersOnly) {
+TEST(EvidenceGraph, RemoveDropsOnlyTheBordersOfTheFragment) {
   EvidenceGraph graph;
   graph.between(FragmentId{1}, FragmentId{2}).observations = 1;
   graph.between(FragmentId{2}, FragmentId{3}).observations = 2;
@@ -48,7 +48,7 @@ TEST(EvidenceGraph, RemovingAFragmentForgetsItsBordersOnly) {
   EXPECT_EQ(graph.borderCount(), 3U);
 }
 
-TEST(EvidenceGraph, LaterConstraintsAreMarkedAsSuch) {
+TEST(EvidenceGraph, LaterConstraintsHaveHigherOrder) {
   using Constraint = BorderEvidence::Constraint;
   EvidenceGraph graph;
   graph.constrain(FragmentId{1}, FragmentId{2}, Constraint::must_link);
@@ -61,7 +61,7 @@ TEST(EvidenceGraph, LaterConstraintsAreMarkedAsSuch) {
   EXPECT_GT(border.constraint_order, graph.between(FragmentId{2}, FragmentId{3}).constraint_order);
 }
 
-TEST(EvidenceGraph, TheProgramNeverReplacesWhatAPersonSaid) {
+TEST(EvidenceGraph, ProgramNeverReplacesAPersonsConstraint) {
   EvidenceGraph graph;
   graph.constrain(FragmentId{1}, FragmentId{2}, LinkConstraint::cannot_link, true);
   graph.constrain(FragmentId{2}, FragmentId{1}, LinkConstraint::must_link, false);
@@ -72,7 +72,7 @@ TEST(EvidenceGraph, TheProgramNeverReplacesWhatAPersonSaid) {
   EXPECT_EQ(graph.constraintBetween(FragmentId{1}, FragmentId{3}), LinkConstraint::none);
 }
 
-TEST(EvidenceGraph, TellsWhichBordersChangedOrWent) {
+TEST(EvidenceGraph, ListsChangedAndRemovedBorders) {
   using Pairs = std::vector<EvidenceGraph::Pair>;
   EvidenceGraph graph;
   graph.between(FragmentId{3}, FragmentId{1}).observations = 2;

@@ -32,7 +32,7 @@ std::optional<ColorComparison> comparisonIn(const PaintedFrame& frame) {
   return one;
 }
 
-TEST(FragmentColors, DifferByTheirMeansAndChromaLeavesBrightnessOut) {
+TEST(FragmentColors, DifferenceIsThatOfTheMeansAndChromaIgnoresBrightness) {
   PaintedFrame frame = twoThings();
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
   PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(52, 13, 4));
@@ -48,7 +48,7 @@ TEST(FragmentColors, DifferByTheirMeansAndChromaLeavesBrightnessOut) {
   EXPECT_NEAR(compared->chroma_difference, 5, 1e-3F);  // of (3, 4)
 }
 
-TEST(FragmentColors, AreNotKnownWithoutColorNorOfWhatIsNotSeen) {
+TEST(FragmentColors, ComparisonIsNone_WithoutColorOrSurface) {
   PaintedFrame frame = twoThings();
   EXPECT_FALSE(comparisonIn(frame));
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
@@ -57,7 +57,7 @@ TEST(FragmentColors, AreNotKnownWithoutColorNorOfWhatIsNotSeen) {
   EXPECT_FALSE(comparisonIn(frame)) << "there is no surface of it";
 }
 
-TEST(FragmentColors, PixelsWithoutSurfaceDoNotCount) {
+TEST(FragmentColors, IgnoresPixelsWithoutSurface) {
   PaintedFrame frame = twoThings();
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
   constexpr test::Rectangle kHole{40, 5, 60, 40};
@@ -72,7 +72,7 @@ constexpr test::Rectangle kUpperLeft{0, 0, PaintedFrame::kWidth / 2 - 1, Painted
 constexpr test::Rectangle kUpperRight{PaintedFrame::kWidth / 2, 0, PaintedFrame::kWidth - 1,
                                       PaintedFrame::kHeight / 2 - 1};
 
-TEST(FragmentColors, ShareTheChromasThatBothHave) {
+TEST(FragmentColors, SharedIsTheOverlapOfChromas) {
   PaintedFrame frame = twoThings();
   frame.color_lab.assign(PaintedFrame::kPixels, kRed);
   PaintedFrame::fill(frame.color_lab, kUpperLeft, kGreen);
@@ -91,7 +91,7 @@ TEST(FragmentColors, ShareTheChromasThatBothHave) {
   EXPECT_NEAR(comparisonIn(frame)->shared_chroma, 0, 1e-4F);
 }
 
-TEST(FragmentColors, WhatTheyShareMayBeElsewhereToo) {
+TEST(FragmentColors, ElsewhereIsThePartOfSharedChromasInTheRest) {
   PaintedFrame frame = twoThings();
   frame.color_lab.assign(PaintedFrame::kPixels, kRed);
   EXPECT_EQ(comparisonIn(frame)->elsewhere, 0) << "there is nothing else";
@@ -104,7 +104,7 @@ TEST(FragmentColors, WhatTheyShareMayBeElsewhereToo) {
   EXPECT_NEAR(comparisonIn(frame)->elsewhere, 0, 1e-4F);
 }
 
-TEST(FragmentColors, VaryAsThePlainerOfTheTwoDoes) {
+TEST(FragmentColors, VarietyIsThatOfThePlainerFragment) {
   PaintedFrame frame = twoThings();
   frame.color_lab.assign(PaintedFrame::kPixels, kGray);
   PaintedFrame::fill(frame.color_lab, kUpperLeft, kRed);

@@ -27,7 +27,7 @@ std::vector<FragmentContact> contactsOf(const PaintedFrame& frame) {
   return findContacts(frame.input(), frame.view.fragments);
 }
 
-TEST(FragmentContacts, AFoldHasTheAngleBetweenItsPlanes) {
+TEST(FragmentContacts, FoldHasTheAngleBetweenItsPlanes) {
   for (const float turn : {0.2F, 0.7F, std::numbers::pi_v<float> / 2}) {
     const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(turn)));
     ASSERT_EQ(contacts.size(), 1U);
@@ -41,7 +41,7 @@ TEST(FragmentContacts, AFoldHasTheAngleBetweenItsPlanes) {
   }
 }
 
-TEST(FragmentContacts, ARidgeIsAFoldTheOtherWay) {
+TEST(FragmentContacts, RidgeHasANegativeAngle) {
   const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(-0.6F)));
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_NEAR(contacts.front().concavity_rad, -0.6F, 1e-4F);
@@ -49,7 +49,7 @@ TEST(FragmentContacts, ARidgeIsAFoldTheOtherWay) {
   EXPECT_EQ(contacts.front().folded, 0);
 }
 
-TEST(FragmentContacts, ASmoothBorderDoesNotBendAndHasTheLengthThatItHasInSpace) {
+TEST(FragmentContacts, SmoothBorderHasNoBendAndItsLengthInSpace) {
   const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(0)));
   ASSERT_EQ(contacts.size(), 1U);
   const FragmentContact& smooth = contacts.front();
@@ -61,7 +61,7 @@ TEST(FragmentContacts, ASmoothBorderDoesNotBendAndHasTheLengthThatItHasInSpace) 
   EXPECT_FALSE(smooth.color_shift);
 }
 
-TEST(FragmentContacts, TheShiftOfColorIsThatOfTheMeans) {
+TEST(FragmentContacts, ColorShiftIsThatOfTheMeans) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   frame.color_lab.resize(PaintedFrame::kPixels);
   // Stripes of 10 more and less cancel out; what is left is (3, 0, 4) between the two sides.
@@ -77,7 +77,7 @@ TEST(FragmentContacts, TheShiftOfColorIsThatOfTheMeans) {
   EXPECT_NEAR(*contacts.front().color_shift, 5, 1e-4F);
 }
 
-TEST(FragmentContacts, TheShiftOfColorIsTheSameFromBothSidesOfAFragment) {
+TEST(FragmentContacts, ColorShiftIsEqual_OnBothSidesOfAFragment) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   const test::Rectangle island{44, 10, 57, 40};
   PaintedFrame::fill(frame.view.fragments, island, FragmentId{9});
@@ -90,7 +90,7 @@ TEST(FragmentContacts, TheShiftOfColorIsTheSameFromBothSidesOfAFragment) {
   EXPECT_NEAR(*contacts[1].color_shift, 10, 1e-4F);
 }
 
-TEST(FragmentContacts, AStepIsAsHighAsOneSurfaceLiesBehindTheOther) {
+TEST(FragmentContacts, StepIsTheDistanceBetweenBothSurfaces) {
   for (const float step_m : {0.0F, 0.01F, 0.02F}) {
     const auto contacts = contactsOf(withTwoParts(PaintedFrame::step(step_m)));
     ASSERT_EQ(contacts.size(), 1U);
@@ -101,7 +101,7 @@ TEST(FragmentContacts, AStepIsAsHighAsOneSurfaceLiesBehindTheOther) {
   EXPECT_EQ(contactsOf(frame).front().step_m, 0) << "of an unknown direction";
 }
 
-TEST(FragmentContacts, TellTheDifferenceOfColorsOnTheWhole) {
+TEST(FragmentContacts, ColorsCompareCompleteFragments) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   // Alike where they touch, and unlike elsewhere.
   frame.color_lab.assign(PaintedFrame::kPixels, Eigen::Vector3f(50, 0, 0));
@@ -113,13 +113,13 @@ TEST(FragmentContacts, TellTheDifferenceOfColorsOnTheWhole) {
   EXPECT_NEAR(contact.colors->chroma_difference, 20, 1e-3F);
 }
 
-TEST(FragmentContacts, NeighborsAcrossAnOcclusionEdgeDoNotTouch) {
+TEST(FragmentContacts, FragmentsDoNotTouch_AcrossAnOcclusionEdge) {
   // d_max one metre ahead is three pixels' width: 3 / 60 m.
   EXPECT_EQ(contactsOf(withTwoParts(PaintedFrame::step(0.03F))).size(), 1U);
   EXPECT_THAT(contactsOf(withTwoParts(PaintedFrame::step(0.06F))), testing::IsEmpty());
 }
 
-TEST(FragmentContacts, AGapOfTwoPixelsIsBridgedOneOfThreeIsNot) {
+TEST(FragmentContacts, GapIsBridged_UpToTwoPixels) {
   for (const int gap : {1, 2, 3}) {
     PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
     const int first = PaintedFrame::kWidth / 2;
@@ -130,7 +130,7 @@ TEST(FragmentContacts, AGapOfTwoPixelsIsBridgedOneOfThreeIsNot) {
   }
 }
 
-TEST(FragmentContacts, IsBridgedWhereOneSegmentLiesOnBothSides) {
+TEST(FragmentContacts, BorderIsBridged_WhenOneSegmentLiesOnBothSides) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   EXPECT_EQ(contactsOf(frame).front().bridged_px, 0);
   // A segment over the border in its upper quarter.
@@ -144,7 +144,7 @@ TEST(FragmentContacts, IsBridgedWhereOneSegmentLiesOnBothSides) {
   EXPECT_EQ(contactsOf(frame).front().bridged_px, 0);
 }
 
-TEST(FragmentContacts, NeedNoNormalsToTouch) {
+TEST(FragmentContacts, FragmentsTouch_WithoutNormals) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0.8F));
   PaintedFrame::fill(frame.view.normals_world, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
   const auto contacts = contactsOf(frame);
@@ -154,13 +154,13 @@ TEST(FragmentContacts, NeedNoNormalsToTouch) {
   EXPECT_EQ(contacts.front().concavity_rad, 0);
 }
 
-TEST(FragmentContacts, WithoutSurfaceThereIsNone) {
+TEST(FragmentContacts, ContactsAreEmpty_WithoutSurface) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   PaintedFrame::fill(frame.view.vertices_world, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
   EXPECT_THAT(contactsOf(frame), testing::IsEmpty());
 }
 
-TEST(FragmentContacts, AreOrderedByTheirFragments) {
+TEST(FragmentContacts, ContactsAreOrderedByFragments) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   PaintedFrame::fill(frame.view.fragments, {16, 12, 47, 35}, FragmentId{9});
   PaintedFrame::fill(frame.view.fragments, {30, 20, 33, 24}, FragmentId{1});

@@ -26,7 +26,7 @@ PaintedFrame fold() { return PaintedFrame::corner(1.5F); }
 
 bool areOne(const PaintedScan& scan) { return scan.regionAt(kX, kY) == scan.regionAt(kOtherX, kY); }
 
-TEST(GraphMerger, ASegmentOnUnlabeledGroundIsANewFragment) {
+TEST(GraphMerger, StartsAFragment_WhenASegmentOverlapsNone) {
   PaintedScan scan(fold());
   const auto& outcome = scan.look(kClear);
   EXPECT_TRUE(outcome.events.joined.empty());
@@ -35,7 +35,7 @@ TEST(GraphMerger, ASegmentOnUnlabeledGroundIsANewFragment) {
   EXPECT_FALSE(areOne(scan));
 }
 
-TEST(GraphMerger, ASegmentTooSmallForAFragmentLeavesTheGroundUnlabeled) {
+TEST(GraphMerger, LeavesPixelsUnlabeled_WhenASegmentIsTooSmall) {
   PaintedScan scan(fold());
   // 120 pixels at 640 x 480 are 1.2 here; the parameter of ten times that: 12.
   scan.params.min_fragment_px = 1200;
@@ -44,13 +44,13 @@ TEST(GraphMerger, ASegmentTooSmallForAFragmentLeavesTheGroundUnlabeled) {
   EXPECT_TRUE(scan.fragmentAt(5, 10));
 }
 
-TEST(GraphMerger, FacesSeenAsTwoStayTwo) {
+TEST(GraphMerger, KeepsFacesSeparate_WhenSegmentsSeparateThem) {
   PaintedScan scan(fold());
   scan.look(kClear, 40);
   EXPECT_FALSE(areOne(scan));
 }
 
-TEST(GraphMerger, OneWallFirstSeenInTwoPiecesBecomesOneRegion) {
+TEST(GraphMerger, JoinsAWall_WhenFirstSeenInTwoParts) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kClear, 2);
   ASSERT_FALSE(areOne(scan));
@@ -66,7 +66,7 @@ TEST(GraphMerger, OneWallFirstSeenInTwoPiecesBecomesOneRegion) {
               testing::UnorderedElementsAre(left, right));
 }
 
-TEST(GraphMerger, WhatCameAsOneIsOneHoweverItIsFolded) {
+TEST(GraphMerger, JoinsAcrossAFold_WhenBothAppearedAsOneObject) {
   PaintedScan scan(fold());
   scan.look(kClear, 20);
   ASSERT_FALSE(areOne(scan));
@@ -75,7 +75,7 @@ TEST(GraphMerger, WhatCameAsOneIsOneHoweverItIsFolded) {
   EXPECT_TRUE(areOne(scan));
 }
 
-TEST(GraphMerger, WhatCameIsAnotherThingThanWhatItCameTo) {
+TEST(GraphMerger, SeparatesAnAppearedObject_WhenTheSurfaceIsSmooth) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kClear, 2);
   scan.appearAs({PaintedFrame::kRight});
@@ -84,7 +84,7 @@ TEST(GraphMerger, WhatCameIsAnotherThingThanWhatItCameTo) {
   EXPECT_FALSE(areOne(scan));
 }
 
-TEST(GraphMerger, TwoThatCameEachByItselfAreJudgedByTheirBorder) {
+TEST(GraphMerger, JudgesTheBorder_WhenTwoObjectsAppearedSeparately) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kClear, 2);
   scan.appearAs({PaintedFrame::kLeft, PaintedFrame::kRight});
@@ -108,7 +108,7 @@ const std::vector<Rectangle> kClearSide{PaintedFrame::kLeft, {kMiddle, 0, 47, Pa
 const std::vector<Rectangle> kLeakingSide{{0, 0, 47, PaintedFrame::kHeight - 1}};
 constexpr int kSideX = 42;
 
-TEST_P(ALeak, PartsAgain) {
+TEST_P(ALeak, IsSplit_WhenClearFramesFollow) {
   PaintedScan scan(surface());
   const auto areOne = [&] { return scan.regionAt(kX, kY) == scan.regionAt(kSideX, kY); };
   scan.look(kClearSide, 3);
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(GraphMerger, ALeak, testing::Values(false, true), [](co
   return is_colored.param ? "InTwoColors" : "WithoutColor";
 });
 
-TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
+TEST(GraphMerger, SplitsAFragmentThenItsRegion_WhenItCoversTwoFaces) {
   PaintedScan scan(fold());
   scan.look(kLeak, 10);
   ASSERT_EQ(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY));
@@ -164,7 +164,7 @@ TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
   EXPECT_EQ(scan.regionAt(kX, kY), whole) << "the larger side goes on";
 }
 
-TEST(GraphMerger, AWallThatSegmentsNowAndThenCutStaysOneRegion) {
+TEST(GraphMerger, KeepsAWallTogether_WhenSegmentsSometimesCutIt) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kLeak, 20);
   for (const int cut : {12, 20, 28, 36, 44, 52}) {
@@ -180,7 +180,7 @@ TEST(GraphMerger, AWallThatSegmentsNowAndThenCutStaysOneRegion) {
   EXPECT_TRUE(areOne(scan));
 }
 
-TEST(GraphMerger, MustLinkHoldsWhateverIsSeen) {
+TEST(GraphMerger, MustLinkOverridesEvidence) {
   PaintedScan scan(fold());
   scan.look(kClear, 20);
   ASSERT_FALSE(areOne(scan));
@@ -191,7 +191,7 @@ TEST(GraphMerger, MustLinkHoldsWhateverIsSeen) {
   }
 }
 
-TEST(GraphMerger, CannotLinkHoldsWhateverIsSeen) {
+TEST(GraphMerger, CannotLinkOverridesEvidence) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kClear, 2);
   scan.merger.constrain(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY), Constraint::cannot_link);
@@ -201,7 +201,7 @@ TEST(GraphMerger, CannotLinkHoldsWhateverIsSeen) {
   }
 }
 
-TEST(GraphMerger, TheNewerConstraintWins) {
+TEST(GraphMerger, NewerConstraintWins) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kClear, 2);
   const FragmentId left = scan.fragmentAt(kX, kY), right = scan.fragmentAt(kOtherX, kY);
@@ -212,7 +212,7 @@ TEST(GraphMerger, TheNewerConstraintWins) {
   }
 }
 
-TEST(GraphMerger, JoiningOddsAreWhatIsKnownOfTheBordersOfTwoRegions) {
+TEST(GraphMerger, JoiningOddsFollowTheEvidenceOfBorders) {
   PaintedScan scan(fold());
   scan.look(kClear, 20);
   const auto odds = [&] {
@@ -230,7 +230,7 @@ TEST(GraphMerger, JoiningOddsAreWhatIsKnownOfTheBordersOfTwoRegions) {
   EXPECT_FALSE(odds());
 }
 
-TEST(GraphMerger, RegionsThatMustBeOneBecomeOneWithTheNextFrame) {
+TEST(GraphMerger, JoinsRegionsOfMustBeOne_WithTheNextFrame) {
   PaintedScan scan(fold());
   scan.look(kClear, 20);
   scan.merger.mustBeOne(scan.regionAt(kX, kY), scan.regionAt(kOtherX, kY), scan.table);
@@ -241,7 +241,7 @@ TEST(GraphMerger, RegionsThatMustBeOneBecomeOneWithTheNextFrame) {
   }
 }
 
-TEST(GraphMerger, WhatIsSeenRightHealsAnOutline) {
+TEST(GraphMerger, RepairsAnOutline_WhenClearFramesFollow) {
   // The right face's fragment reaches eight pixels on to the left face; clear looks take that back.
   PaintedScan scan(fold());
   scan.look({{0, 0, kMiddle - 9, PaintedFrame::kHeight - 1}, {kMiddle - 8, 0, 63, PaintedFrame::kHeight - 1}},
@@ -252,7 +252,7 @@ TEST(GraphMerger, WhatIsSeenRightHealsAnOutline) {
   EXPECT_NE(scan.regionAt(kMiddle - 4, kY), scan.regionAt(kOtherX, kY));
 }
 
-TEST(GraphMerger, AThingThatLooksLikePartOfTheWallKeepsItsFragment) {
+TEST(GraphMerger, KeepsACoveredFragment) {
   // A segment over both covers the smaller fragment and so leaves its pixels alone.
   PaintedScan scan(fold());
   const Rectangle thing{kMiddle + 10, 10, kMiddle + 20, 30};
@@ -262,7 +262,7 @@ TEST(GraphMerger, AThingThatLooksLikePartOfTheWallKeepsItsFragment) {
   EXPECT_EQ(scan.fragmentAt(kMiddle + 15, 20), fragment);
 }
 
-TEST(GraphMerger, ForgottenFragmentsLeaveNoEvidence) {
+TEST(GraphMerger, RemovesEvidence_WhenAFragmentIsForgotten) {
   PaintedScan scan(fold());
   scan.look(kClear, 5);
   const FragmentId right = scan.fragmentAt(kOtherX, kY);
@@ -271,7 +271,7 @@ TEST(GraphMerger, ForgottenFragmentsLeaveNoEvidence) {
   EXPECT_EQ(scan.merger.graph().borderCount(), 0U);
 }
 
-TEST(GraphMerger, TheSameInputGivesTheSameOutput) {
+TEST(GraphMerger, IsDeterministic) {
   const auto scanOnce = [] {
     std::mt19937 random(7);
     PaintedScan scan(fold());

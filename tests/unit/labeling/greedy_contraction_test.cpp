@@ -72,19 +72,19 @@ TEST(ContractGreedily, DoesNotDependOnTheOrderOfEdges) {
   }
 }
 
-TEST(ContractGreedily, AChainDoesNotLeakPastWhatSpeaksAgainstIt) {
+TEST(ContractGreedily, DoesNotChain_AgainstANegativeEdge) {
   EXPECT_THAT(contractGreedily(3, std::vector<WeightedEdge>{{0, 1, 3}, {1, 2, 2}, {0, 2, -9}}),
               ElementsAre(0, 0, 1));
   EXPECT_THAT(contractGreedily(3, std::vector<WeightedEdge>{{0, 1, 3}, {1, 2, 2}, {0, 2, -1}}),
               ElementsAre(0, 0, 0));
 }
 
-TEST(ContractGreedily, PartsAreNumberedByTheirFirstNode) {
+TEST(ContractGreedily, NumbersPartsByTheirFirstNode) {
   EXPECT_THAT(contractGreedily(5, std::vector<WeightedEdge>{{1, 4, 1}, {2, 3, 1}}),
               ElementsAre(0, 1, 2, 2, 1));
 }
 
-TEST(ContractGreedily, ZeroJoinsNothing) {
+TEST(ContractGreedily, DoesNotJoin_WhenTheSumIsZero) {
   EXPECT_THAT(contractGreedily(2, std::vector<WeightedEdge>{{0, 1, 0}}), ElementsAre(0, 1));
   EXPECT_THAT(contractGreedily(2, std::vector<WeightedEdge>{{0, 1, 2}, {1, 0, -2}, {1, 1, 5}}),
               ElementsAre(0, 1));

@@ -33,7 +33,7 @@ struct TwoSurfaces {
   }
 };
 
-TEST(ObservationRecorder, DirectionsGoFromTheSurfaceToTheCamera) {
+TEST(ObservationRecorder, RecordsDirectionsFromTheSurfaceToTheCamera) {
   TwoSurfaces scene;
   scene.record({0, 0, 0});
   EXPECT_TRUE(scene.table.seenFrom(scene.left).covers({1, 0, -2}));
@@ -41,7 +41,7 @@ TEST(ObservationRecorder, DirectionsGoFromTheSurfaceToTheCamera) {
   EXPECT_FALSE(scene.table.seenFrom(scene.left).covers({-1, 0, 0}));
 }
 
-TEST(ObservationRecorder, LooksAddUp) {
+TEST(ObservationRecorder, AddsDirectionsOfAllFrames) {
   TwoSurfaces scene;
   scene.record({0, 0, 0});
   scene.record({4, 0, 2});
@@ -49,20 +49,20 @@ TEST(ObservationRecorder, LooksAddUp) {
   EXPECT_TRUE(scene.table.seenFrom(scene.left).covers({1, 0, 0}));
 }
 
-TEST(ObservationRecorder, AFewPixelsAreNoLook) {
+TEST(ObservationRecorder, IgnoresAFewPixels) {
   TwoSurfaces scene;
   scene.record({0, 0, 0});
   EXPECT_EQ(scene.table.seenFrom(scene.speck), ViewCoverage());
 }
 
-TEST(ObservationRecorder, PixelsWithoutSurfaceAreNoLook) {
+TEST(ObservationRecorder, IgnoresPixelsWithoutSurface) {
   TwoSurfaces scene;
   for (auto& vertex : scene.view.vertices_world) vertex.w() = 0;
   scene.record({0, 0, 0});
   EXPECT_EQ(scene.table.seenFrom(scene.left), ViewCoverage());
 }
 
-TEST(RegionTable, ARegionIsSeenFromWhereItsFragmentsAreAndANumberUsedAgainFromNowhere) {
+TEST(RegionTable, CoverageIsThatOfAllFragmentsAndEmpty_ForAReusedNumber) {
   RegionTable table;
   const FragmentId a = table.newFragment();
   const FragmentId b = table.newFragment();

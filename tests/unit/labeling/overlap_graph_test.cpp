@@ -23,7 +23,7 @@ TEST(OverlapGraph, CountsAreasAndOverlaps) {
   EXPECT_EQ(graph.edges[2].overlap_px, 1);  // 2 - 9
 }
 
-TEST(OverlapGraph, TheCriterionTakesEitherArea) {
+TEST(OverlapGraph, EdgeQualifies_ByEitherArea) {
   // Segment 1 covers 2 of its 10 pixels with region 3, but that is all of region 3.
   const Overlaps graph = buildOverlapGraph<RegionId>(segmentsOf(std::vector<std::uint32_t>(10, 1)),
                                                      idsOf<RegionId>({3, 3, 0, 0, 0, 0, 0, 0, 0, 0}));
@@ -31,7 +31,7 @@ TEST(OverlapGraph, TheCriterionTakesEitherArea) {
   EXPECT_FALSE(graph.qualifies(graph.edges[0], 1.0F));  // not more than all
 }
 
-TEST(OverlapGraph, ASmallSegmentAstrideABorderCoversNeitherSide) {
+TEST(OverlapGraph, SmallSegmentAcrossABorderCoversNeitherSide) {
   // Segment 2 lies half on fragment 1 and half on fragment 2, but is a small part of both.
   std::vector<std::uint32_t> ids(20, 1);
   ids[9] = ids[10] = 2;

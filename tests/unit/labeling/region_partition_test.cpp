@@ -49,7 +49,7 @@ class RegionPartitionTest : public testing::Test {
   std::vector<int> voxels_;
 };
 
-TEST_F(RegionPartitionTest, JoinsAndPartsAsTheEvidenceSays) {
+TEST_F(RegionPartitionTest, JoinsAndSplits_WhenEvidenceChanges) {
   see(kA, kB, true);
   update({kA, kB});
   EXPECT_TRUE(areOne(kA, kB));
@@ -60,7 +60,7 @@ TEST_F(RegionPartitionTest, JoinsAndPartsAsTheEvidenceSays) {
   EXPECT_EQ(events_.parted.size(), 1U);
 }
 
-TEST_F(RegionPartitionTest, StaysAsItIsBetweenPlusAndMinusHysteresis) {
+TEST_F(RegionPartitionTest, KeepsThePartition_WithinTheHysteresis) {
   see(kA, kB, true);
   params_.hysteresis = 0.5F;
   const float odds = oddsBetween(kA, kB);
@@ -75,7 +75,7 @@ TEST_F(RegionPartitionTest, StaysAsItIsBetweenPlusAndMinusHysteresis) {
   EXPECT_FALSE(areOneAt(-0.6F));
 }
 
-TEST_F(RegionPartitionTest, AllBordersBetweenTwoRegionsCount) {
+TEST_F(RegionPartitionTest, CountsAllBordersBetweenTwoRegions) {
   // a - b and b - c speak for one thing by a little, a - c for two by much more.
   see(kA, kB, true);
   see(kB, kC, true);
@@ -88,7 +88,7 @@ TEST_F(RegionPartitionTest, AllBordersBetweenTwoRegionsCount) {
   EXPECT_FALSE(areOne(kA, kC));
 }
 
-TEST_F(RegionPartitionTest, RegionsThatNothingTouchedStay) {
+TEST_F(RegionPartitionTest, KeepsUntouchedRegions) {
   see(kA, kB, true);
   see(kC, kD, true);
   see(kB, kC, true);
@@ -102,7 +102,7 @@ TEST_F(RegionPartitionTest, RegionsThatNothingTouchedStay) {
   EXPECT_TRUE(areOne(kA, kD));
 }
 
-TEST_F(RegionPartitionTest, ASliverGoesWithWhatItTouchesMost) {
+TEST_F(RegionPartitionTest, SmallFragmentFollowsItsLongestBorder) {
   voxels_[kB.value] = kSmallFragmentVoxels - 1;
   see(kA, kB, false, 0.3F);
   see(kB, kC, true, 0.1F);
@@ -115,14 +115,14 @@ TEST_F(RegionPartitionTest, ASliverGoesWithWhatItTouchesMost) {
   EXPECT_TRUE(areOne(kB, kC));
 }
 
-TEST_F(RegionPartitionTest, SliversAmongThemselvesStayApart) {
+TEST_F(RegionPartitionTest, KeepsSmallFragmentsSeparate_WhenAllAreSmall) {
   voxels_[kA.value] = voxels_[kB.value] = 3;
   see(kA, kB, true);
   update({kA, kB});
   EXPECT_FALSE(areOne(kA, kB));
 }
 
-TEST_F(RegionPartitionTest, APersonsWordHoldsWhateverIsSeen) {
+TEST_F(RegionPartitionTest, ConstraintsOverrideEvidence) {
   see(kA, kB, false);
   see(kC, kD, true);
   graph_.constrain(kA, kB, Constraint::must_link);
@@ -136,7 +136,7 @@ TEST_F(RegionPartitionTest, APersonsWordHoldsWhateverIsSeen) {
   EXPECT_TRUE(areOne(kC, kD));
 }
 
-TEST_F(RegionPartitionTest, APersonsWordHoldsForSliversToo) {
+TEST_F(RegionPartitionTest, ConstraintsHold_ForSmallFragments) {
   // b is a sliver that touches a most, but was said to be one with c; d one that must not be part of a.
   voxels_[kB.value] = voxels_[kD.value] = 5;
   see(kA, kB, true, 0.5F);
@@ -182,7 +182,7 @@ struct Accepted {
   }
 };
 
-TEST_P(PartitionConstraintsTest, TheNewestThatContradictOneAnotherWin) {
+TEST_P(PartitionConstraintsTest, NewestConstraintsWin_WhenTheyContradict) {
   std::mt19937 random(GetParam());
   std::vector<FragmentId> all;
   for (std::uint32_t i = 1; i <= kFragments; ++i) all.push_back(FragmentId{i});

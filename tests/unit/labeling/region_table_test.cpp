@@ -22,7 +22,7 @@ RegionTable tableWith(int fragments) {
   return table;
 }
 
-TEST(RegionTable, NewFragmentsAreRegionsOfTheirOwn) {
+TEST(RegionTable, NewFragmentGetsANewRegion) {
   RegionTable table;
   EXPECT_EQ(table.regionOf(FragmentId{}), RegionId{});
   const FragmentId a = table.newFragment();
@@ -33,7 +33,7 @@ TEST(RegionTable, NewFragmentsAreRegionsOfTheirOwn) {
   EXPECT_THAT(table.regions(), ElementsAre(RegionId{}, table.regionOf(a), table.regionOf(b)));
 }
 
-TEST(RegionTable, AFragmentCutOutOfAnotherIsOfItsRegion) {
+TEST(RegionTable, SplitFragmentStaysInItsRegion) {
   RegionTable table;
   const FragmentId a = table.newFragment();
   const FragmentId b = table.newFragment();
@@ -44,7 +44,7 @@ TEST(RegionTable, AFragmentCutOutOfAnotherIsOfItsRegion) {
   EXPECT_THAT(table.fragmentsOf(table.regionOf(b)), testing::ElementsAre(a, b)) << "rising";
 }
 
-TEST(RegionTable, JoinReachesAllFragmentsOfBoth) {
+TEST(RegionTable, JoinMovesAllFragmentsOfBoth) {
   RegionTable table = tableWith(3);
   const RegionId a = table.regionOf(kA), b = table.regionOf(kB), c = table.regionOf(kC);
   EXPECT_TRUE(table.join(c, b));
@@ -54,7 +54,7 @@ TEST(RegionTable, JoinReachesAllFragmentsOfBoth) {
   EXPECT_THAT(table.fragmentsOf(c), IsEmpty());
 }
 
-TEST(RegionTable, NothingJoinsItselfNoneOrOneThatIsNoMore) {
+TEST(RegionTable, JoinFails_WithItselfNoneOrAFormerRegion) {
   RegionTable table = tableWith(2);
   const RegionId a = table.regionOf(kA), b = table.regionOf(kB);
   EXPECT_FALSE(table.join(a, a));
@@ -67,7 +67,7 @@ TEST(RegionTable, NothingJoinsItselfNoneOrOneThatIsNoMore) {
   EXPECT_EQ(table.version(), version);
 }
 
-TEST(RegionTable, NumbersOfFragmentsAreUsedAgainThoseOfRegionsNever) {
+TEST(RegionTable, ReusesNumbersOfFragmentsButNotOfRegions) {
   RegionTable table = tableWith(4);
   std::set<RegionId> seen(table.regions().begin(), table.regions().end());
   table.free(kC);
@@ -82,7 +82,7 @@ TEST(RegionTable, NumbersOfFragmentsAreUsedAgainThoseOfRegionsNever) {
   }
 }
 
-TEST(RegionTable, ARegionEndsWithItsLastFragment) {
+TEST(RegionTable, RegionEnds_WhenItsLastFragmentIsFreed) {
   RegionTable table = tableWith(2);
   const RegionId region = table.regionOf(kA);
   table.setKnown(region, true);
@@ -95,7 +95,7 @@ TEST(RegionTable, ARegionEndsWithItsLastFragment) {
   EXPECT_FALSE(table.isKnown(region));
 }
 
-TEST(RegionTable, PartingLeavesTheIdentityToThePartWithMostVoxels) {
+TEST(RegionTable, LargestPartKeepsTheIdentity_WhenARegionIsDivided) {
   RegionTable table = tableWith(3);
   const RegionId whole = table.regionOf(kA);
   ASSERT_TRUE(table.join(whole, table.regionOf(kB)));
@@ -109,7 +109,7 @@ TEST(RegionTable, PartingLeavesTheIdentityToThePartWithMostVoxels) {
   EXPECT_THAT(events.joined, IsEmpty());
 }
 
-TEST(RegionTable, JoiningKeepsTheIdentityThatGivesMostVoxels) {
+TEST(RegionTable, LargestRegionKeepsItsIdentity_WhenRegionsJoin) {
   RegionTable table = tableWith(3);
   const RegionId a = table.regionOf(kA), b = table.regionOf(kB), c = table.regionOf(kC);
   RegionEvents events;
@@ -119,7 +119,7 @@ TEST(RegionTable, JoiningKeepsTheIdentityThatGivesMostVoxels) {
   EXPECT_THAT(events.parted, IsEmpty());
 }
 
-TEST(RegionTable, AKnownRegionKeepsItsIdentityAgainstALargerOne) {
+TEST(RegionTable, KnownRegionKeepsItsIdentity_WhenJoinedWithALargerOne) {
   RegionTable table = tableWith(2);
   const RegionId known = table.regionOf(kA), larger = table.regionOf(kB);
   table.setKnown(known, true);
@@ -130,7 +130,7 @@ TEST(RegionTable, AKnownRegionKeepsItsIdentityAgainstALargerOne) {
   EXPECT_EQ(events.joined, (Pairs{{known, larger}}));
 }
 
-TEST(RegionTable, AJoinByNumberKeepsWhatIsKnownOfEither) {
+TEST(RegionTable, JoinedRegionIsKnown_WhenEitherWas) {
   RegionTable table = tableWith(2);
   const RegionId into = table.regionOf(kA), from = table.regionOf(kB);
   table.setKnown(from, true);
