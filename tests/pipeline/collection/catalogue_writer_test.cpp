@@ -64,7 +64,7 @@ class SlowCatalogueTest : public test::ObjectCollectorFixture {
   }
 };
 
-TEST_F(SlowCatalogueTest, LockDelaysStoring_NotFrames) {
+TEST_F(SlowCatalogueTest, FramesDoNotWait_WhenTheCatalogueIsLocked) {
   static_cast<void>(study({box_}));
   waits_ = false;
   FrameObjects all;
@@ -213,7 +213,7 @@ TEST_F(SlowCatalogueTest, ScanContinues_WhenTheCatalogueCannotBeRead) {
   EXPECT_TRUE(awaitEvents(all, [](const FrameObjects& events) { return events.added.size() == 1; }));
 }
 
-TEST_F(SlowCatalogueTest, FinishReportsWhatIsNotStored) {
+TEST_F(SlowCatalogueTest, FinishReportsObjects_ThatAreNotStored) {
   writer_.patience = 100ms;
   beginScan();
   static_cast<void>(study({box_}));

@@ -136,7 +136,7 @@ TEST_F(IdentityResolverTest, ObjectElsewhereIsAnother_WhenTheScanIsRefined) {
   EXPECT_FALSE(identities_->identityOf(other.candidate(), mug, kMuchLater, true)) << "nothing moves any more";
 }
 
-TEST_F(IdentityResolverTest, JoinByFramesMerges_OnceItHasHeld) {
+TEST_F(IdentityResolverTest, ObjectsMerge_WhenAJoinByFramesPersists) {
   const ObjectId mug = add(mug_), box = add(box_);
   const int joined = frame_;
   identities_->joinRegions(mug_.region, box_.region, IdentityResolver::JoinedBy::frames, joined);
@@ -146,7 +146,7 @@ TEST_F(IdentityResolverTest, JoinByFramesMerges_OnceItHasHeld) {
   EXPECT_EQ(catalogue_->mergeRootOf(box), mug);
 }
 
-TEST_F(IdentityResolverTest, JoinByFramesIsForgotten_WhenTheRegionIsSplitAgain) {
+TEST_F(IdentityResolverTest, ObjectsStayTwo_WhenAJoinByFramesIsReverted) {
   static_cast<void>(add(mug_));
   const ObjectId box = add(box_);
   identities_->joinRegions(mug_.region, box_.region, IdentityResolver::JoinedBy::frames, frame_);

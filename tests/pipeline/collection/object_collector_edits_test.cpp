@@ -78,7 +78,7 @@ TEST_F(ObjectCollectorEditsTest, JoinedRegionsMerge_UnlessAUserUndidThat) {
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorEditsTest, RegionsJoinedByFramesMerge_OnceThatHasHeld) {
+TEST_F(ObjectCollectorEditsTest, ObjectsMerge_WhenAJoinByFramesPersists) {
   static_cast<void>(study({mug_, box_}));
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   for (int i = 0; i < IdentityResolver::kFramesToMerge - 1; ++i)
@@ -89,7 +89,7 @@ TEST_F(ObjectCollectorEditsTest, RegionsJoinedByFramesMerge_OnceThatHasHeld) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorEditsTest, RegionsJoinedByFramesStayTwoObjects_WhenTheySplitAgain) {
+TEST_F(ObjectCollectorEditsTest, ObjectsStayTwo_WhenAJoinByFramesIsReverted) {
   const FrameObjects first = study({mug_, box_});
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   for (int i = 0; i < 20; ++i) static_cast<void>(look({mug_}));

@@ -107,7 +107,7 @@ TEST_F(ObjectCollectorTest, RecognizesAMissingObject_WhenItAppearsInPart) {
   EXPECT_EQ(collector_->objects().idOf(put.region), mug);
 }
 
-TEST_F(ObjectCollectorTest, LittleLikenessIsEnough_WhenOneObjectIsMissing) {
+TEST_F(ObjectCollectorTest, LowSimilarityIsEnough_WhenOneObjectIsMissing) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
   here.has_appeared = true;
@@ -117,7 +117,7 @@ TEST_F(ObjectCollectorTest, LittleLikenessIsEnough_WhenOneObjectIsMissing) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorTest, MoreLikenessIsNeeded_WhenSeveralObjectsAreMissing) {
+TEST_F(ObjectCollectorTest, HighSimilarityIsNeeded_WhenSeveralObjectsAreMissing) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
   here.has_appeared = true;
@@ -151,7 +151,7 @@ TEST_F(ObjectCollectorTest, MovedObjectStays_WhenItsRegionIsJoined) {
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorTest, RegionIsNoObject_WhenARestOfOneIsJoinedToIt) {
+TEST_F(ObjectCollectorTest, RegionIsNoObject_WhenARemnantOfOneIsJoinedToIt) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const RegionId beside{50};
   collector_->joinRegions(beside, mug_.region, ObjectCollector::JoinedBy::frames);

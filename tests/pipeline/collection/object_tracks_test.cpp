@@ -68,7 +68,7 @@ TEST_F(ObjectTracksTest, ObjectIsNotAtAPlace_WhenItsSizeDiffers) {
   EXPECT_FALSE(tracks_->isAt(mug, candidate));
 }
 
-TEST_F(ObjectTracksTest, RegionsOfSeveralObjectsAreNone) {
+TEST_F(ObjectTracksTest, ObjectIsNone_WhenRegionsBelongToSeveral) {
   const ObjectId mug = add(mug_), box = add(box_);
   EXPECT_EQ(tracks_->objectOf(RegionSet{mug_.region, RegionId{77}}), mug);
   EXPECT_FALSE(tracks_->objectOf(RegionSet{mug_.region, box_.region}));
@@ -77,7 +77,7 @@ TEST_F(ObjectTracksTest, RegionsOfSeveralObjectsAreNone) {
   EXPECT_TRUE(tracks_->areOneObject({mug_.region, box_.region}));
 }
 
-TEST_F(ObjectTracksTest, JoinedRegionsTellTheirTwoObjects) {
+TEST_F(ObjectTracksTest, JoinReturnsBothObjects_WhenTheyDiffer) {
   const ObjectId mug = add(mug_), box = add(box_);
   EXPECT_EQ(tracks_->joinRegions(RegionId{77}, box_.region), std::pair(ObjectId{}, ObjectId{}))
       << "the other was no object";
@@ -95,7 +95,7 @@ TEST_F(ObjectTracksTest, RegionKeepsADeletedObject_ThatExistsNoMore) {
   EXPECT_FALSE(tracks_->existingObjectOf(mug_.region));
 }
 
-TEST_F(ObjectTracksTest, ObjectIsInViewBeside_WhenAnotherOfItsRegionsIs) {
+TEST_F(ObjectTracksTest, ObjectIsInViewBesideRegions_WhenAnotherOfItsRegionsIsInView) {
   const ObjectId mug = add(mug_);
   tracks_->setRegionsInView({mug_.region});
   EXPECT_TRUE(tracks_->isInViewBeside(mug, {RegionId{77}}));

@@ -58,7 +58,7 @@ class RecognizerPlacesTest : public test::ObjectCollectorFixture {
   ObjectId jar_id_;
 };
 
-TEST_F(RecognizerPlacesTest, LessLikenessIsEnough_AtTheExpectedPlace) {
+TEST_F(RecognizerPlacesTest, LowSimilarityIsEnough_AtTheExpectedPlace) {
   EXPECT_EQ(studyPlaced(three_, T_now_then_).recognized.size(), 3U);
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
   EXPECT_TRUE(found.added.empty());
@@ -73,7 +73,7 @@ TEST_F(RecognizerPlacesTest, AddsANewObject_AtAnotherPlace) {
   EXPECT_EQ(studyPlaced({elsewhere}, T_now_then_).added.size(), 1U);
 }
 
-TEST_F(RecognizerPlacesTest, AddsANewObject_WhenTwoObjectsTellNoPlace) {
+TEST_F(RecognizerPlacesTest, AddsANewObject_WhenTwoObjectsDoNotFixThePlace) {
   static_cast<void>(studyPlaced({three_[0], three_[1]}, T_now_then_));
   EXPECT_EQ(studyPlaced({jarInOtherLight()}, T_now_then_).added.size(), 1U) << "two tell no place";
 }
@@ -92,7 +92,7 @@ TEST_F(RecognizerPlacesTest, AddsANewObject_WhenAppearanceOrSizeDiffers) {
   EXPECT_NE(collector_->objects().idOf(larger.thing.region), jar_id_);
 }
 
-TEST_F(RecognizerPlacesTest, RecognizesByPlace_WhenThePlaceIsKnownOnlyInTheEnd) {
+TEST_F(RecognizerPlacesTest, RecognizesByPlace_WhenThePlaceIsKnownOnlyAtTheEnd) {
   const ObjectId taken_for_new = studyPlaced({jarInOtherLight()}, T_now_then_).added.at(0).id;
   static_cast<void>(studyPlaced(three_, T_now_then_));
   collector_->beginRefinement();

@@ -152,7 +152,7 @@ TEST_F(RefinementTest, NeighboringSetsStayTwoObjects) {
   EXPECT_EQ(objects().size(), 2U) << "never seen in one frame, and yet two";
 }
 
-TEST_F(RefinementTest, EqualObjectsStayTwo_HoweverFarApartTheyAreSeen) {
+TEST_F(RefinementTest, EqualObjectsStayTwo_WhenSeenFarApart) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   for (int i = 0; i < 200; ++i) static_cast<void>(look({}));
   const Thing other{mug_.seed, 2, RegionId{77}};
@@ -164,7 +164,7 @@ TEST_F(RefinementTest, EqualObjectsStayTwo_HoweverFarApartTheyAreSeen) {
   EXPECT_NE(objectOf(other), mug);
 }
 
-TEST_F(RefinementTest, RecognizesWhatTheScanTookForNew_ByOneClearView) {
+TEST_F(RefinementTest, RecognizesANewObject_WhenOneViewIsClear) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing unlike{9, mug_.place, mug_.region}, another{10, 1, box_.region};
   beginScan();

@@ -212,7 +212,7 @@ TEST_F(UserRequestsTest, ObjectIsMerged_WhenAnotherHasItsName) {
   EXPECT_EQ(record(box).name, "Obj_2");
 }
 
-TEST_F(UserRequestsTest, RegionBecomesAnObjectOfItsOwn_WhenItsObjectIsCalledOtherwise) {
+TEST_F(UserRequestsTest, RegionBecomesAnObjectOfItsOwn_WhenItsObjectHasAnotherName) {
   Candidate both = mug_.candidate();
   both.regions = {mug_.region, box_.region};
   for (int frame = 0; frame < 20; ++frame) static_cast<void>(lookAt({both}, {mug_}));

@@ -232,7 +232,7 @@ TEST(CropView, MaskHasTheOutlineOfTheColorImage) {
             0.01 * cv::countNonZero(view->mask));
 }
 
-TEST(CropView, MaskIsWithoutWhatHidesTheObject_FromTheColorCamera) {
+TEST(CropView, MaskExcludesOcclusion_OfTheColorCamera) {
   const StagedFrame stage;
   const Candidate rectangle = stage.candidate(Stage::rectangle);
   const auto view = cropView(stage.frame, kOrigin, stage.inColor(kOrigin), rectangle);

@@ -59,7 +59,7 @@ TEST_F(ObjectsInView, OnePixelCounts_WhenThatIsEnough) {
   EXPECT_EQ(objects[1].object, kTheCrumb);
 }
 
-TEST_F(ObjectsInView, RectangleEnds_WhereColorShowsTheObjectNoMore) {
+TEST_F(ObjectsInView, RectangleIsSmaller_WhenColorDoesNotShowAllOfTheObject) {
   in_color_.hidden(cv::Rect(5, 0, 1, 8)).setTo(255);  // where the handle is
   const std::vector<SeenObject> objects = seen(2);
   ASSERT_EQ(objects.size(), 1U);
