@@ -25,7 +25,7 @@ std::vector<AppearancePoint> box(const Eigen::Vector3f& size_m, const std::array
 
 const std::array<std::uint8_t, 3> kRed{200, 40, 40}, kDarkRed{170, 30, 35}, kBlue{40, 60, 190};
 
-TEST(RegionAppearance, TheSameThingElsewhereAndTurnedLooksTheSame) {
+TEST(RegionAppearance, LikenessIsHigh_WhenTheObjectIsTurned) {
   const Eigen::Matrix3f R =
       Eigen::AngleAxisf(0.7F, Eigen::Vector3f(1, 2, 0.5F).normalized()).toRotationMatrix();
   EXPECT_GT(
@@ -33,7 +33,7 @@ TEST(RegionAppearance, TheSameThingElsewhereAndTurnedLooksTheSame) {
       0.9F);
 }
 
-TEST(RegionAppearance, ALittleShadowLeavesItAlikeAnotherColorOrSizeDoesNot) {
+TEST(RegionAppearance, LikenessIsHighInShadowAndLow_WithAnotherColorOrSize) {
   const RegionAppearance mug = appearanceOf(box({0.1F, 0.08F, 0.1F}, kRed));
   const float in_shadow = likeness(mug, appearanceOf(box({0.1F, 0.08F, 0.1F}, kDarkRed)));
   const float other_color = likeness(mug, appearanceOf(box({0.1F, 0.08F, 0.1F}, kBlue)));
@@ -43,7 +43,7 @@ TEST(RegionAppearance, ALittleShadowLeavesItAlikeAnotherColorOrSizeDoesNot) {
   EXPECT_LT(other_size, 0.6F);
 }
 
-TEST(RegionAppearance, WithoutColorSizeDecides) {
+TEST(RegionAppearance, LikenessIsThatOfSizes_WithoutColor) {
   const auto gray = [](const Eigen::Vector3f& size_m) {
     return appearanceOf(box(size_m, kRed, Eigen::Matrix3f::Identity(), false));
   };
@@ -52,7 +52,7 @@ TEST(RegionAppearance, WithoutColorSizeDecides) {
 }
 
 // A strip of table behind a vase was proposed before the other books, as it had a book's size and no colour.
-TEST(RegionAppearance, WhereOneHasNoColorItsSizeSpeaksLessThanAnEqualColor) {
+TEST(RegionAppearance, LikenessIsLow_WhenOnlyOneHasColor) {
   const RegionAppearance book = appearanceOf(box({0.18F, 0.12F, 0.04F}, kRed));
   const RegionAppearance strip =
       appearanceOf(box({0.17F, 0.12F, 0.02F}, kRed, Eigen::Matrix3f::Identity(), false));
@@ -61,7 +61,7 @@ TEST(RegionAppearance, WhereOneHasNoColorItsSizeSpeaksLessThanAnEqualColor) {
   EXPECT_LT(likeness(book, strip), likeness(book, other_book));
 }
 
-TEST(RegionAppearance, OfNothingThereIsNone) {
+TEST(RegionAppearance, IsEmpty_WithoutPoints) {
   const RegionAppearance none = appearanceOf({});
   EXPECT_EQ(none.size_m, Eigen::Vector3f::Zero());
   EXPECT_TRUE(none.colors.isEmpty());

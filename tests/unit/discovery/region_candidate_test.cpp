@@ -11,7 +11,7 @@ namespace {
 
 using test::PaintedScene;
 
-TEST(RegionCandidate, IsTheRegionAsItIsSeen) {
+TEST(RegionCandidate, HasTheRegionsMaskBoxAndPlace) {
   PaintedScene scene;
   const cv::Rect box(60, 40, 30, 24);
   scene.paintBump(7, box, 1.2F);
@@ -28,12 +28,12 @@ TEST(RegionCandidate, IsTheRegionAsItIsSeen) {
   EXPECT_NEAR(seen->centroid_camera.z(), 1.1F, 0.1F);
 }
 
-TEST(RegionCandidate, MayBeWhatNoRuleLetsPass) {
+TEST(RegionCandidate, AcceptsARegion_WhenNoRuleDoes) {
   PaintedScene scene;
   EXPECT_TRUE(candidateOf(RegionId{1}, scene.input(), 100)) << "a wall that the image cuts off";
 }
 
-TEST(RegionCandidate, IsNoneWhereTooLittleIsSeen) {
+TEST(RegionCandidate, IsNone_WhenTooFewPixelsHaveASurface) {
   PaintedScene scene;
   scene.paintBump(7, {60, 40, 9, 9}, 1.2F);
   EXPECT_FALSE(candidateOf(RegionId{7}, scene.input(), 100));

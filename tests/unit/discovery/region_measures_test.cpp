@@ -39,7 +39,7 @@ TEST(RegionCensus, EqualsPixelByPixelSums) {
   }
 }
 
-TEST(RegionCensus, EccentricityOfARectangle) {
+TEST(RegionCensus, MeasuresTheEccentricityOfARectangle) {
   // A rectangle a x b has second moments a^2/12, b^2/12: e = sqrt(1 - (b/a)^2), at any place.
   std::vector<RegionId> regions(6000);
   for (int v = 10; v < 20; ++v) {
@@ -53,7 +53,7 @@ TEST(RegionCensus, EccentricityOfARectangle) {
   EXPECT_TRUE(census.regionsOfSize(501).empty());
 }
 
-TEST(OrientedBox, OfATurnedBox) {
+TEST(OrientedBox, MeasuresATurnedBox) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> unit(-0.5F, 0.5F);
   const Eigen::Matrix3f R =
@@ -73,7 +73,7 @@ TEST(OrientedBox, OfATurnedBox) {
   EXPECT_LT((box.mean - Eigen::Vector3f(5, -3, 1)).norm(), 0.01F);
 }
 
-TEST(OrientedBox, OfAPlaneAndOfNothing) {
+TEST(OrientedBox, IsFlatForAPlaneAndZero_WithoutPoints) {
   std::vector<Eigen::Vector4f> points;
   for (int i = 0; i < 400; ++i) {
     points.emplace_back(0.01F * static_cast<float>(i % 20), 0.01F * static_cast<float>(i / 20), 1.0F, 1.0F);
@@ -83,7 +83,7 @@ TEST(OrientedBox, OfAPlaneAndOfNothing) {
   EXPECT_EQ(fitOrientedBox({}).size_m, Eigen::Vector3f(0, 0, 0));
 }
 
-TEST(SizeHistory, HoldsOnlyWhatWasSeenLast) {
+TEST(SizeHistory, KeepsOnlySetsOfTheLastFrame) {
   SizeHistory history;
   const RegionSet always{RegionId{1000}};
   for (std::uint32_t frame = 0; frame < 100; ++frame) {
@@ -95,7 +95,7 @@ TEST(SizeHistory, HoldsOnlyWhatWasSeenLast) {
   EXPECT_FALSE(history.isPersistent({RegionId{100}}, 5, 0.1F));
 }
 
-TEST(SizeHistory, FollowsRegionsThatJoinInEverySet) {
+TEST(SizeHistory, FollowsJoins_InEverySet) {
   SizeHistory history;
   const RegionSet both{RegionId{1}, RegionId{2}}, with_third{RegionId{2}, RegionId{3}};
   const SizeHistory::Sighting sightings[] = {{both, 1.0F}, {with_third, 2.0F}};
@@ -123,7 +123,7 @@ ObservationHistory::Observation seenFrom(float degrees, float outline = 0.9F, fl
           Eigen::Vector3f(std::sin(radians), 0, std::cos(radians))};
 }
 
-TEST(ObservationHistory, WholeNeedsLooksDirectionsAndAnOutlineOfItsOwn) {
+TEST(ObservationHistory, IsComplete_AfterObservationsFromTwoDirectionsWithOwnOutline) {
   const RegionSet thing{RegionId{5}};
   const auto is_complete = [&](int observations, float degrees, float outline, float hidden) {
     ObservationHistory history;
@@ -142,7 +142,7 @@ TEST(ObservationHistory, WholeNeedsLooksDirectionsAndAnOutlineOfItsOwn) {
   EXPECT_FALSE(ObservationHistory().isComplete(thing, observationParams()));
 }
 
-TEST(ObservationHistory, AThingOfAnotherSizeStartsAnew) {
+TEST(ObservationHistory, IsReset_AfterSeveralObservationsOfAnotherSize) {
   const RegionSet thing{RegionId{5}};
   ObservationHistory history;
   for (int i = 0; i < 4; ++i) {
@@ -166,7 +166,7 @@ TEST(ObservationHistory, AThingOfAnotherSizeStartsAnew) {
   EXPECT_FALSE(history.isComplete(thing, observationParams()));
 }
 
-TEST(ObservationHistory, ForgetsWhatWasNotSeenForLong) {
+TEST(ObservationHistory, DropsSets_WhenUnseenForLong) {
   ObservationHistory history;
   history.nextFrame();
   history.add({RegionId{5}}, seenFrom(0));
@@ -176,7 +176,7 @@ TEST(ObservationHistory, ForgetsWhatWasNotSeenForLong) {
   EXPECT_EQ(history.setCount(), 0U);
 }
 
-TEST(ObservationHistory, FollowsRegionsThatJoin) {
+TEST(ObservationHistory, KeepsTheSetWithMoreObservations_WhenRegionsJoin) {
   ObservationHistory history;
   for (int i = 0; i < 4; ++i) {
     history.nextFrame();

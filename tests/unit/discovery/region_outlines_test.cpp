@@ -16,7 +16,7 @@ OutlineSteps outlineOf(const PaintedScene& scene, std::uint32_t region) {
   return RegionOutlines(scene.input()).of({RegionId{region}});
 }
 
-TEST(RegionOutlines, AThingThatStandsFreeEndsOpen) {
+TEST(RegionOutlines, OutlineIsOpen_ForAFreeStandingObject) {
   PaintedScene scene;
   scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 1.0F; });
   const OutlineSteps steps = outlineOf(scene, 7);
@@ -30,7 +30,7 @@ TEST(RegionOutlines, AThingThatStandsFreeEndsOpen) {
   EXPECT_EQ(wall.own(), 0);
 }
 
-TEST(RegionOutlines, APatchOfAPlaneGoesOn) {
+TEST(RegionOutlines, OutlineIsSmooth_ForAPatchOfAPlane) {
   PaintedScene scene;
   scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 2.0F; });
   const OutlineSteps steps = outlineOf(scene, 7);
@@ -38,7 +38,7 @@ TEST(RegionOutlines, APatchOfAPlaneGoesOn) {
   EXPECT_EQ(steps.own(), 0);
 }
 
-TEST(RegionOutlines, ABookOnATableEndsAtItsThickness) {
+TEST(RegionOutlines, OutlineIsOpen_ForABookOnATable) {
   PaintedScene scene;  // seen from above, 2 cm thick: less than what hides
   scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 1.0F; });
   scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 0.98F; });
@@ -57,7 +57,7 @@ PaintedScene roof(float slope) {
   return scene;
 }
 
-TEST(RegionOutlines, FoldsAndRidgesAreToldApart) {
+TEST(RegionOutlines, DistinguishesFoldsAndRidges) {
   const auto between = [](const PaintedScene& scene) {
     return RegionOutlines(scene.input()).between(RegionId{2}, RegionId{3});
   };
@@ -69,7 +69,7 @@ TEST(RegionOutlines, FoldsAndRidgesAreToldApart) {
   EXPECT_EQ(fold.touching(), 80);
 }
 
-TEST(RegionOutlines, WhatIsBetweenTheRegionsOfASetIsInside) {
+TEST(RegionOutlines, OutlineOmitsStepsInsideASet) {
   const PaintedScene scene = roof(0.8F);
   const RegionOutlines outlines(scene.input());
   const RegionId a{2}, b{3};
@@ -80,7 +80,7 @@ TEST(RegionOutlines, WhatIsBetweenTheRegionsOfASetIsInside) {
   EXPECT_THAT(outlines.touchedBy(a, 81), Not(Contains(b)));
 }
 
-TEST(RegionOutlines, WhatWasNotSeenSaysNothing) {
+TEST(RegionOutlines, StepsAreUnseen_WithoutSurface) {
   PaintedScene scene;
   scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 1.0F; });
   for (int v = 0; v < 120; ++v) {

@@ -25,14 +25,14 @@ TEST(RegionPoints, OmitsSpillThroughGaps) {
   EXPECT_NEAR(sizeOf(along), sizeOf(clean), 0.02F * sizeOf(clean));
 }
 
-TEST(RegionPoints, AHandleIsAPartOfThem) {
+TEST(RegionPoints, KeepsAHandle) {
   PaintedScene scene;
   scene.paint(7, {60, 45, 40, 30}, [](int, int) { return 1.0F; });
   scene.paint(7, {100, 50, 12, 2}, [](int, int) { return 0.98F; });
   EXPECT_EQ(pointsOf({RegionId{7}}, {60, 45, 52, 30}, scene.input()).size(), 40U * 30 + 24);
 }
 
-TEST(RegionPoints, WhatIsThinEverywhereIsKept) {
+TEST(RegionPoints, KeepsThinRegions) {
   PaintedScene scene;
   scene.paint(7, {40, 60, 50, 2}, [](int, int) { return 1.0F; });
   EXPECT_EQ(pointsOf({RegionId{7}}, {40, 60, 50, 2}, scene.input()).size(), 100U);

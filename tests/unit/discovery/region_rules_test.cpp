@@ -5,7 +5,7 @@
 namespace scantrove {
 namespace {
 
-TEST(RegionRules, WhatIsThinAndDoesNotBulgeIsAStrip) {
+TEST(RegionRules, RegionIsAStrip_WhenThinWithoutBulgeOrTooLong) {
   const DiscoveryParams params;
   const auto boxOf = [](float length_m, float width_m) {
     OrientedBox box;
@@ -22,7 +22,7 @@ TEST(RegionRules, WhatIsThinAndDoesNotBulgeIsAStrip) {
   EXPECT_TRUE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, all));
 }
 
-TEST(RegionRules, WhatIsLargerThanABookMustBulge) {
+TEST(RegionRules, RegionIsFlat_WhenLargerThanABookWithoutBulge) {
   const DiscoveryParams params;
   OrientedBox box;
   box.size_m = {0.5F, 0.4F, 0.05F};

@@ -22,7 +22,7 @@ RegionSamples ballOf(int points) {
   return samples;
 }
 
-TEST(RegionSamples, TellSizeAndShapeHoweverManyPointsThereAre) {
+TEST(RegionSamples, ShapeIsTheSame_WithAnyNumberOfPoints) {
   for (const int points : {100, 511, 513, 20000}) {
     const RegionSamples::Shape ball = ballOf(points).shapeOf({kBall});
     // The outermost 1 % are left out to either side of each axis: 0.2 (1 - 0.02).
@@ -33,7 +33,7 @@ TEST(RegionSamples, TellSizeAndShapeHoweverManyPointsThereAre) {
   }
 }
 
-TEST(RegionSamples, RegionsTogetherAreOneShapeInProportion) {
+TEST(RegionSamples, ShapeOfSeveralRegionsWeighsThemByPoints) {
   RegionSamples samples = ballOf(4000);
   // A board of 40 x 40 cm beside it, of fewer points.
   for (int i = 0; i < 400; ++i) {
@@ -48,7 +48,7 @@ TEST(RegionSamples, RegionsTogetherAreOneShapeInProportion) {
   EXPECT_EQ(samples.shapeOf({RegionId{99}}).box.size_m, Eigen::Vector3f::Zero());
 }
 
-TEST(RegionSamples, PartInViewIsWhatTheImageHasRoomFor) {
+TEST(RegionSamples, PartInViewIsThePartInsideTheVisibleImage) {
   const RegionSamples samples = ballOf(4000);
   const Intrinsics K{500, 500, 319.5F, 239.5F, 640, 480};
   const cv::Rect all(0, 0, 640, 480);

@@ -101,7 +101,7 @@ TEST(RuleBasedFinder, NeedsPersistence) {
   EXPECT_THAT(broken(scene, testParams(), 7), IsEmpty()) << "nothing else speaks against it";
 }
 
-TEST(RuleBasedFinder, StartsAnewAfterAGapOrAChangeOfSize) {
+TEST(RuleBasedFinder, ResetsPersistence_AfterAGapOrAChangeOfSize) {
   PaintedScene with, without, larger;
   with.paintBump(7, {60, 50, 40, 30}, 1.0F);
   larger.paintBump(7, {50, 40, 60, 50}, 1.0F);
@@ -115,7 +115,7 @@ TEST(RuleBasedFinder, StartsAnewAfterAGapOrAChangeOfSize) {
   EXPECT_THAT(see(larger), ElementsAre(7U));
 }
 
-TEST(RuleBasedFinder, SizeIsMetricNotInPixels) {
+TEST(RuleBasedFinder, KeepsPersistence_WhenTheCameraApproaches) {
   // The camera approaches: the same 0.2 m plate fills ever more pixels.
   const auto finder = makeRuleBasedFinder(testParams());
   std::vector<std::uint32_t> ids;
@@ -129,7 +129,7 @@ TEST(RuleBasedFinder, SizeIsMetricNotInPixels) {
   EXPECT_THAT(ids, ElementsAre(7U));
 }
 
-TEST(RuleBasedFinder, RefusesWhatTouchesTheBorder) {
+TEST(RuleBasedFinder, RejectsRegions_WhenTheyTouchTheBorder) {
   for (const cv::Rect& box : {cv::Rect(0, 45, 40, 30), cv::Rect(60, 0, 30, 40), cv::Rect(1, 45, 40, 30)}) {
     PaintedScene scene;
     scene.paintBump(7, box, 1.0F);
@@ -140,7 +140,7 @@ TEST(RuleBasedFinder, RefusesWhatTouchesTheBorder) {
   }
 }
 
-TEST(RuleBasedFinder, TakesAnUnseenStripAtTheEdgeForTheBorder) {
+TEST(RuleBasedFinder, RejectsRegions_WhenTheyTouchAnUnlabeledStripAtTheEdge) {
   // As a Kinect's depth: nothing in the last columns. What ends there is cut off.
   PaintedScene scene;
   scene.paintBump(7, {115, 45, 40, 30}, 1.0F);
@@ -154,14 +154,14 @@ TEST(RuleBasedFinder, TakesAnUnseenStripAtTheEdgeForTheBorder) {
   EXPECT_THAT(broken(scene, params, 7), ElementsAre("off border"));
 }
 
-TEST(RuleBasedFinder, AnObjectAloneInTheViewIsNotCutOff) {
+TEST(RuleBasedFinder, FindsAnObject_WhenItIsAloneInTheView) {
   PaintedScene scene;
   std::ranges::fill(scene.view.regions, RegionId{});
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
 }
 
-TEST(RuleBasedFinder, RefusesFewPoints) {
+TEST(RuleBasedFinder, RejectsRegions_WithFewPoints) {
   PaintedScene scene;
   scene.paintBump(7, {70, 50, 11, 9}, 1.0F);  // 99 < 100
   EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
@@ -170,14 +170,14 @@ TEST(RuleBasedFinder, RefusesFewPoints) {
   EXPECT_THAT(findAfter(scene, testParams(), 6), ElementsAre(7U));
 }
 
-TEST(RuleBasedFinder, RefusesWhatIsNotCentral) {
+TEST(RuleBasedFinder, RejectsRegions_WhenNotCentral) {
   PaintedScene scene;
   scene.paintBump(7, {4, 50, 20, 20}, 1.0F);  // centroid at u = 13.5, the middle part starts at 15.5
   EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
   EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre("central"));
 }
 
-TEST(RuleBasedFinder, RefusesTooLargeAndTooSmall) {
+TEST(RuleBasedFinder, RejectsRegions_WhenTooLargeOrTooSmall) {
   PaintedScene scene;
   scene.paintBump(7, {20, 20, 120, 80}, 1.6F, 0.6F);  // 1.28 m
   EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
@@ -189,7 +189,7 @@ TEST(RuleBasedFinder, RefusesTooLargeAndTooSmall) {
   EXPECT_THAT(broken(scene, params, 7), ElementsAre("size in range"));
 }
 
-TEST(RuleBasedFinder, RefusesLargePlanesAndKeepsBooks) {
+TEST(RuleBasedFinder, RejectsLargePlanesAndKeepsBooks) {
   PaintedScene panel;  // 0.53 x 0.4 m
   panel.paint(7, {60, 45, 40, 30}, [](int, int) { return 2.0F; });
   EXPECT_THAT(findAfter(panel, testParams(), 6), IsEmpty());
@@ -199,14 +199,14 @@ TEST(RuleBasedFinder, RefusesLargePlanesAndKeepsBooks) {
   EXPECT_THAT(findAfter(book, testParams(), 6), ElementsAre(7U));
 }
 
-TEST(RuleBasedFinder, RefusesLongThinShapes) {
+TEST(RuleBasedFinder, RejectsLongThinShapes) {
   PaintedScene scene;
   scene.paintBump(7, {40, 50, 80, 10}, 0.8F);  // 8 : 1
   EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
   EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre("not eccentric"));
 }
 
-TEST(RuleBasedFinder, TakesAnObjectInSeveralPartsAsOne) {
+TEST(RuleBasedFinder, FindsOneObject_WhenAnOccluderDividesIt) {
   // Something thin stands in front of it.
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
@@ -229,7 +229,7 @@ TEST(RuleBasedFinder, SkipsPixelsWithoutSurface) {
   EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
 }
 
-TEST(RuleBasedFinder, HistoryFollowsAMerge) {
+TEST(RuleBasedFinder, KeepsHistory_WhenRegionsJoin) {
   PaintedScene before, after;
   before.paintBump(7, {60, 50, 40, 30}, 1.0F);
   after.paintBump(9, {60, 50, 40, 30}, 1.0F);
@@ -239,7 +239,7 @@ TEST(RuleBasedFinder, HistoryFollowsAMerge) {
   EXPECT_THAT(idsOf(finder->find(after.input())), ElementsAre(9U));
 }
 
-TEST(RuleBasedFinder, RefusesBackgroundSeenThroughAGap) {
+TEST(RuleBasedFinder, RejectsBackgroundSeenThroughAGap) {
   PaintedScene scene;
   scene.paint(2, {0, 0, 160, 120}, [](int, int) { return 0.9F; });  // a screen with a window
   scene.paintBump(7, {60, 45, 40, 30}, 1.3F, 0.2F);

@@ -11,7 +11,7 @@ using test::PaintedScene;
 
 const cv::Rect kSquare{50, 30, 40, 40};
 
-TEST(Silhouette, OfARectangleIsConvexAndStandsOutByItsDistanceFromTheWall) {
+TEST(Silhouette, RectangleIsConvexWithReliefOfItsDistanceToTheWall) {
   PaintedScene scene;
   scene.paint(7, kSquare, [](int, int) { return 1.8F; });
   const Silhouette silhouette = silhouetteOf({RegionId{7}}, kSquare, scene.input());
@@ -19,7 +19,7 @@ TEST(Silhouette, OfARectangleIsConvexAndStandsOutByItsDistanceFromTheWall) {
   EXPECT_NEAR(silhouette.relief_m, 0.2F, 1e-4);
 }
 
-TEST(Silhouette, OfAnLIsNot) {
+TEST(Silhouette, ConvexityIsLow_ForAnL) {
   PaintedScene scene;
   scene.paint(7, kSquare, [](int, int) { return 1.8F; });
   scene.paint(1, {70, 30, 20, 20}, [](int, int) { return 2.0F; });
@@ -27,7 +27,7 @@ TEST(Silhouette, OfAnLIsNot) {
   EXPECT_NEAR(silhouetteOf({RegionId{7}}, kSquare, scene.input()).convexity, 0.75F / 0.875F, 0.01F);
 }
 
-TEST(Silhouette, OfTwoRegionsIsThatOfBothTogether) {
+TEST(Silhouette, SeveralRegionsHaveOneSilhouette) {
   PaintedScene scene;
   scene.paint(7, kSquare, [](int, int) { return 1.8F; });
   scene.paint(8, {70, 30, 20, 20}, [](int, int) { return 1.8F; });
@@ -36,7 +36,7 @@ TEST(Silhouette, OfTwoRegionsIsThatOfBothTogether) {
   EXPECT_NEAR(both.relief_m, 0.2F, 1e-4) << "the step from one to the other is inside";
 }
 
-TEST(Silhouette, WhatLiesOnALevelOrBehindHasNoRelief) {
+TEST(Silhouette, ReliefIsZero_WhenLevelOrBehind) {
   PaintedScene scene;
   scene.paint(7, kSquare, [](int, int) { return 1.99F; });
   EXPECT_EQ(silhouetteOf({RegionId{7}}, kSquare, scene.input()).relief_m, 0) << "a centimetre: a poster";
@@ -44,13 +44,13 @@ TEST(Silhouette, WhatLiesOnALevelOrBehindHasNoRelief) {
   EXPECT_EQ(silhouetteOf({RegionId{7}}, kSquare, scene.input()).relief_m, 0) << "through a window";
 }
 
-TEST(Silhouette, AVoidFarBehindCountsAsHalfAMeter) {
+TEST(Silhouette, ReliefIsAtMostHalfAMeter) {
   PaintedScene scene;
   scene.paint(7, kSquare, [](int, int) { return 0.5F; });
   EXPECT_NEAR(silhouetteOf({RegionId{7}}, kSquare, scene.input()).relief_m, 0.5F, 1e-4);
 }
 
-TEST(Silhouette, OfWhatIsNotThereSaysNothing) {
+TEST(Silhouette, IsNeutral_WhenTheRegionIsNotInView) {
   const PaintedScene scene;
   const Silhouette silhouette = silhouetteOf({RegionId{7}}, kSquare, scene.input());
   EXPECT_EQ(silhouette.convexity, 1);

@@ -17,7 +17,7 @@ struct SmallComponents : testing::Test {
   SmallComponents() { fill({10, 5, 20, 20}, 255); }
 };
 
-TEST_F(SmallComponents, PartsFarSmallerThanTheWholeGoAndTheBoxFollows) {
+TEST_F(SmallComponents, RemovesSmallComponentsAndCropsTheBox) {
   fill({0, 0, 3, 3}, 255);
   fill({38, 29, 2, 1}, 255);
   dropSmallComponents(mask, box);
@@ -26,14 +26,14 @@ TEST_F(SmallComponents, PartsFarSmallerThanTheWholeGoAndTheBoxFollows) {
   EXPECT_EQ(inside(), 400);
 }
 
-TEST_F(SmallComponents, WhatSomethingNearerCutsOffStays) {
+TEST_F(SmallComponents, KeepsAPart_WhenAnOccluderSeparatesIt) {
   fill({36, 5, 4, 20}, 255);  // 80 of 480 pixels
   dropSmallComponents(mask, box);
   EXPECT_EQ(box, cv::Rect(110, 55, 30, 20));
   EXPECT_EQ(inside(), 480);
 }
 
-TEST_F(SmallComponents, SmallHolesCloseLargeOnesDoNot) {
+TEST_F(SmallComponents, ClosesSmallHolesOnly) {
   fill({12, 8, 2, 2}, 0);
   fill({15, 10, 1, 1}, 0);
   fill({20, 10, 6, 6}, 0);  // as of a handle
@@ -42,7 +42,7 @@ TEST_F(SmallComponents, SmallHolesCloseLargeOnesDoNot) {
   EXPECT_EQ(mask.at<unsigned char>(3, 2), 255);
 }
 
-TEST_F(SmallComponents, ANotchInTheOutlineIsNoHole) {
+TEST_F(SmallComponents, KeepsANotchInTheOutline) {
   mask = mask(cv::Rect(10, 5, 20, 20)).clone();
   box = {110, 55, 20, 20};
   fill({0, 4, 2, 2}, 0);
@@ -51,14 +51,14 @@ TEST_F(SmallComponents, ANotchInTheOutlineIsNoHole) {
   EXPECT_EQ(inside(), 400 - 8);
 }
 
-TEST_F(SmallComponents, HolesThatTouchAtACornerCloseBoth) {
+TEST_F(SmallComponents, ClosesBothHoles_WhenTheyTouchAtACorner) {
   fill({14, 8, 1, 1}, 0);
   fill({15, 9, 1, 1}, 0);  // touches the other at a corner only
   dropSmallComponents(mask, box);
   EXPECT_EQ(inside(), 400);
 }
 
-TEST_F(SmallComponents, OfCrumbsTheLargestStays) {
+TEST_F(SmallComponents, KeepsTheLargestComponent_WhenAllAreSmall) {
   mask.setTo(0);
   for (int i = 0; i < 30; ++i) fill({i % 10 * 4, i / 10 * 4, 2, 2}, 255);  // each a thirtieth
   fill({20, 20, 3, 2}, 255);
@@ -67,7 +67,7 @@ TEST_F(SmallComponents, OfCrumbsTheLargestStays) {
   EXPECT_EQ(inside(), 6);
 }
 
-TEST_F(SmallComponents, NothingOfNothing) {
+TEST_F(SmallComponents, KeepsAnEmptyMask) {
   mask.setTo(0);
   dropSmallComponents(mask, box);
   EXPECT_EQ(box, cv::Rect(100, 50, 40, 30));

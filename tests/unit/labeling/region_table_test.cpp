@@ -139,7 +139,7 @@ TEST(RegionTable, JoinedRegionIsKnown_WhenEitherWas) {
   EXPECT_FALSE(table.isKnown(from));
 }
 
-TEST(RegionTable, JoinsAndPartsAtOnce) {
+TEST(RegionTable, DivideJoinsAndSplitsAtOnce) {
   // {a, b} and {c, d} become {a} and {b, c, d}.
   RegionTable table = tableWith(4);
   const RegionId ab = table.regionOf(kA), cd = table.regionOf(kC);
@@ -156,7 +156,7 @@ TEST(RegionTable, JoinsAndPartsAtOnce) {
   EXPECT_EQ(events.joined, (Pairs{{ab, cd}}));
 }
 
-TEST(RegionTable, DividingIntoWhatIsThereChangesNothing) {
+TEST(RegionTable, DivideChangesNothing_WhenPartsAreTheRegions) {
   RegionTable table = tableWith(3);
   ASSERT_TRUE(table.join(table.regionOf(kA), table.regionOf(kC)));
   const std::uint64_t version = table.version();
@@ -168,7 +168,7 @@ TEST(RegionTable, DividingIntoWhatIsThereChangesNothing) {
 }
 
 /// Regions of all fragments, divided at random again and again.
-TEST(RegionTable, EventsTellTheFateOfEveryRegion) {
+TEST(RegionTable, EventsDescribeEveryChange_OfRandomDivisions) {
   constexpr std::uint32_t kFragments = 12;
   std::mt19937 random(3);
   RegionTable table = tableWith(kFragments);
@@ -210,7 +210,7 @@ TEST(RegionTable, EventsTellTheFateOfEveryRegion) {
   }
 }
 
-TEST(RegionTable, SaysOfWhichFragmentsTheRegionChanged) {
+TEST(RegionTable, ListsFragmentsWithAChangedRegion) {
   RegionTable table;
   const FragmentId a = table.newFragment(), b = table.newFragment(), c = table.newFragment();
   EXPECT_EQ(table.takeChanged(), (std::vector{a, b, c}));
@@ -225,7 +225,7 @@ TEST(RegionTable, SaysOfWhichFragmentsTheRegionChanged) {
   EXPECT_EQ(changed.size(), 2U);
 }
 
-TEST(RegionTable, MovesWhatIsStillThereAndBringsRegionsBack) {
+TEST(RegionTable, MovesFragments_WhenStillInTheirRegion) {
   RegionTable table;
   const FragmentId a = table.newFragment(), b = table.newFragment(), c = table.newFragment();
   const RegionId of_a = table.regionOf(a), of_b = table.regionOf(b), of_c = table.regionOf(c);
@@ -244,7 +244,7 @@ TEST(RegionTable, MovesWhatIsStillThereAndBringsRegionsBack) {
   EXPECT_TRUE(table.fragmentsOf(of_b).empty());
 }
 
-TEST(RegionTable, WhatAPersonSaidIsTheStrongestClaimOnAnIdentity) {
+TEST(RegionTable, LabeledRegionKeepsItsIdentity_WhenJoinedWithAKnownOne) {
   RegionTable table;
   const FragmentId large = table.newFragment(), small = table.newFragment();
   const RegionId said = table.regionOf(small);
@@ -256,7 +256,7 @@ TEST(RegionTable, WhatAPersonSaidIsTheStrongestClaimOnAnIdentity) {
   EXPECT_EQ(table.regionOf(large), said);
 }
 
-TEST(RegionTable, IsRestoredWithItsFreeNumbers) {
+TEST(RegionTable, RestoresFreeNumbers) {
   RegionTable table;
   for (int i = 0; i < 5; ++i) table.newFragment();
   table.free(FragmentId{2});
@@ -270,7 +270,7 @@ TEST(RegionTable, IsRestoredWithItsFreeNumbers) {
   EXPECT_EQ(again.newFragment(), FragmentId{6});
 }
 
-TEST(RegionTable, EachFollowerLearnsOfEveryChange) {
+TEST(RegionTable, EachFollowerTakesEveryChange) {
   RegionTable table;
   const FragmentId fragment = table.newFragment();
   EXPECT_EQ(table.takeChanged(RegionTable::Follower::window), std::vector{fragment});

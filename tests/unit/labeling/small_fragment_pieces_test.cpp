@@ -20,7 +20,7 @@ std::vector<FragmentId> imageOf(const std::vector<std::string>& rows) {
   return image;
 }
 
-TEST(SmallFragmentPieces, SmallPiecesOfWhatIsLargerElsewhereGo) {
+TEST(SmallFragmentPieces, RemovesSmallPieces_WhenTheFragmentHasALargerOne) {
   EXPECT_EQ(withoutSmallPieces(imageOf({"1112222",  //
                                         "1121222",  //
                                         "1112221"}),
@@ -30,12 +30,12 @@ TEST(SmallFragmentPieces, SmallPiecesOfWhatIsLargerElsewhereGo) {
                      "111222."}));
 }
 
-TEST(SmallFragmentPieces, WhatIsSmallAltogetherStays) {
+TEST(SmallFragmentPieces, KeepsASmallPiece_WhenTheFragmentHasNoLargerOne) {
   const auto image = imageOf({"1111", "1231", "1111"});
   EXPECT_EQ(withoutSmallPieces(image, 4, 5), image);
 }
 
-TEST(SmallFragmentPieces, CornersDoNotHoldTogether) {
+TEST(SmallFragmentPieces, CornersDoNotConnect) {
   EXPECT_EQ(withoutSmallPieces(imageOf({".111222",  //
                                         "1211222"}),
                                7, 2),
@@ -43,7 +43,7 @@ TEST(SmallFragmentPieces, CornersDoNotHoldTogether) {
                      "..11222"}));
 }
 
-TEST(SmallFragmentPieces, APieceMayWind) {
+TEST(SmallFragmentPieces, KeepsAWindingPiece) {
   const auto image = imageOf({"1.111.1",  //
                               "1.1.1.1",  //
                               "111.111",  //
@@ -51,7 +51,7 @@ TEST(SmallFragmentPieces, APieceMayWind) {
   EXPECT_EQ(withoutSmallPieces(image, 7, 14), image) << "15 pixels, met from two sides of each row";
 }
 
-TEST(SmallFragmentPieces, AreThoseOfTheDefinitionInRandomImages) {
+TEST(SmallFragmentPieces, EqualsTheDefinition_InRandomImages) {
   std::mt19937 random(7);
   for (int trial = 0; trial < 200; ++trial) {
     const int width = 1 + static_cast<int>(random() % 20), height = 1 + static_cast<int>(random() % 15);

@@ -29,25 +29,25 @@ class ThesisMergerTest : public testing::Test {
   ThesisMerger merger_;
 };
 
-TEST_F(ThesisMergerTest, ASegmentOnUnlabeledGroundIsANewFragment) {
+TEST_F(ThesisMergerTest, StartsAFragment_WhenASegmentOverlapsNone) {
   const auto outcome = merge({1, 1, 2, 0}, {0, 0, 0, 0});
   EXPECT_EQ(outcome.fragments, idsOf<FragmentId>({1, 1, 2, 0}));
   EXPECT_EQ(outcome.regions, idsOf<RegionId>({1, 1, 2, 0}));
   EXPECT_TRUE(outcome.events.joined.empty());
 }
 
-TEST_F(ThesisMergerTest, TwoSegmentsOnOneRegionAreThatRegion) {
+TEST_F(ThesisMergerTest, TwoSegmentsTakeTheRegion_WhenBothOverlapIt) {
   EXPECT_EQ(merge({1, 1, 1, 2, 2, 2}, {5, 5, 5, 5, 5, 5}).regions, std::vector(6, RegionId{5}));
 }
 
-TEST_F(ThesisMergerTest, JoinsWhatOneSegmentCoversIntoTheLargest) {
+TEST_F(ThesisMergerTest, JoinsRegionsIntoTheLargest_WhenOneSegmentCoversThem) {
   const auto outcome = merge({1, 1, 1, 1, 1}, {2, 2, 4, 4, 4});
   EXPECT_EQ(outcome.regions, std::vector(5, RegionId{4}));
   EXPECT_EQ(regionOf(2), RegionId{4});
   EXPECT_EQ(outcome.events.joined, (std::vector<std::pair<RegionId, RegionId>>{{RegionId{4}, RegionId{2}}}));
 }
 
-TEST_F(ThesisMergerTest, FollowsChains) {
+TEST_F(ThesisMergerTest, JoinsChainsOfOverlaps) {
   // Regions 1 - 2 share segment 1, regions 2 - 3 share segment 2: all one.
   (void)merge({1, 1, 1, 2, 2, 2}, {1, 1, 2, 2, 3, 3});
   EXPECT_EQ(regionOf(1), regionOf(3));
@@ -57,7 +57,7 @@ TEST_F(ThesisMergerTest, PixelsWithoutSegmentKeepTheirRegion) {
   EXPECT_EQ(merge({1, 1, 0}, {1, 1, 2}).regions, idsOf<RegionId>({1, 1, 2}));
 }
 
-TEST_F(ThesisMergerTest, FragmentsOfOneRegionCountAsOne) {
+TEST_F(ThesisMergerTest, CountsFragmentsOfOneRegionTogether) {
   (void)merge({1, 1}, {1, 2});
   ASSERT_EQ(regionOf(1), regionOf(2));
   // Neither fragment alone is over 0.3 of segment 1 or has over 0.3 of itself in it; together they are 4
