@@ -221,7 +221,7 @@ void IdentityResolver::settle(std::span<const CompleteSet> complete) {
     if (objects.size() > 1 && requests_.isFixed(objects[1])) continue;
     state_.complete.emplace(regions, best_frame);
     for (const ObjectId object : objects) tracks_.unbind(regions, object);
-    // Two sets are one object only if a user said so.
+    // Only a user may merge two sets.
     std::erase_if(objects, [&](ObjectId object) {
       return !requests_.isFixed(object) && taken_roots.contains(catalogue_.mergeRootOf(object));
     });

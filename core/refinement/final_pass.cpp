@@ -90,7 +90,7 @@ Result<bool> FinalPass::forEach(const std::vector<Task>& tasks,
 Result<bool> FinalPass::forEachKeyFrame(const std::vector<const KeyFrame*>& keys, const FrameStep& step) {
   return forEach<const KeyFrame*>(keys, [&](const KeyFrame* key) -> Result<void> {
     const Result<RgbdFrame> frame = key->read();
-    if (!frame) return {};  // reported by whoever opens the key frame
+    if (!frame) return {};  // the reader of the key frame reports it
     return step(*frame, key->T_world_camera);
   });
 }

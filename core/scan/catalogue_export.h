@@ -20,7 +20,7 @@ struct CatalogueExportSummary {
 /// Writes the views of all objects of a catalogue to `folder`, atomically like exportDataset():
 /// exportDataset() does it:
 ///     objects.json                  [{id, name, folder, views, confirmed, ...}]
-///     ID_NAME/VIEW.color.png        what was cut from the colour image
+///     ID_NAME/VIEW.color.png        crop of the colour image
 ///     ID_NAME/VIEW.mask.png         255 = of the object
 ///     ID_NAME/VIEW.depth.png        16 bits, millimetres, 0 = none
 ///     ID_NAME/VIEW.json             pose (depth camera to world, metres), direction, box, camera, camera of

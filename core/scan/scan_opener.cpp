@@ -157,7 +157,7 @@ Result<void> ScanOpener::readSession(const SourceInfo& info) {
   if (!request.database.empty()) return {};
   std::filesystem::path file = databaseFileOf(*setup, *request.output_folder);
   std::error_code ignored;
-  // The catalogue of a session that was copied without it.
+  // The session may have been copied without its catalogue.
   if (!std::filesystem::exists(file, ignored)) file = *request.output_folder / "catalogue.sqlite";
   request.database = file.string();
   return {};

@@ -12,7 +12,7 @@
 namespace scantrove {
 
 /// The open session.sqlite, and a check of its name: SQLite would continue in a removed or moved file,
-/// which nobody would find again. For the thread that opened it.
+/// which users would not find again. For the thread that opened it.
 class SessionDatabase {
  public:
   /// Opens or creates the file and migrates its tables. Error: as of DatabaseConnection and migrate().

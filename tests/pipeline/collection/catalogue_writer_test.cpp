@@ -1,4 +1,4 @@
-// What a scan finds while the catalogue is slow, locked, broken or edited.
+// A scan while the catalogue is slow, locked, broken or edited.
 #include <gmock/gmock.h>
 
 #include <chrono>
@@ -27,7 +27,7 @@ constexpr const char* kLock = "BEGIN IMMEDIATE";
 
 class SlowCatalogueTest : public test::ObjectCollectorFixture {
  protected:
-  /// Takes events until `condition` holds of all that came; false: not for a minute.
+  /// Drains events until `condition` holds for all of them; false: not within a minute.
   template <class Condition>
   bool awaitEvents(FrameObjects& all, Condition&& condition) {
     for (int i = 0; i < 6000 && !condition(all); ++i) {
@@ -37,7 +37,7 @@ class SlowCatalogueTest : public test::ObjectCollectorFixture {
     return condition(all);
   }
 
-  /// Who has which views, in the order in which they were stored, and what the objects are like.
+  /// The owner of each view in the order of storing, and the objects' data.
   static std::string contents(const std::string& file) {
     OtherProgram reader(file);
     return reader.ask(
@@ -50,7 +50,7 @@ class SlowCatalogueTest : public test::ObjectCollectorFixture {
                " || ' ' || length(v.color), ', ') FROM (SELECT * FROM views ORDER BY id) v");
   }
 
-  /// A scan with an object that is two entries for a while.
+  /// A scan with an object that has two entries for a while.
   void scanTable(const std::function<void(int frame)>& between = [](int) {}) {
     int frame = 0;
     const auto show = [&](const std::vector<Thing>& things, double degrees) {
@@ -233,7 +233,7 @@ TEST_F(SlowCatalogueTest, FinishReportsObjects_ThatAreNotStored) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-// It would wait an hour.
+// Without the urgency it would wait for an hour.
 TEST_F(SlowCatalogueTest, FinishDoesNotWaitForALock_WhenItIsUrgent) {
   writer_.patience = std::chrono::hours(1);
   beginScan();
@@ -286,7 +286,7 @@ TEST_F(SlowCatalogueTest, NewObjectsAreStored_WhenThereIsNoRoomForViews) {
     other.execute(kLock);
     static_cast<void>(study({mug_, box_, cup_}));
     for (int i = 0; i < 20; ++i) static_cast<void>(lookAt({elsewhere}, {fourth}));
-    static_cast<void>(look({mug_}, 60));  // a view for which there is no room: two objects wait
+    static_cast<void>(look({mug_}, 60));  // a view without room, because two objects wait
     other.execute("ROLLBACK");
     settle();
     FrameObjects all;
@@ -302,7 +302,7 @@ TEST_F(SlowCatalogueTest, NewObjectsAreStored_WhenThereIsNoRoomForViews) {
   EXPECT_EQ(objects().size(), 4U);
 }
 
-/// Without a collector: what is given is what is stored.
+/// Without a collector: tests call the writer directly.
 class CatalogueWriterTest : public SlowCatalogueTest {
  protected:
   void SetUp() override {
@@ -325,7 +325,7 @@ class CatalogueWriterTest : public SlowCatalogueTest {
 
 TEST_F(CatalogueWriterTest, OtherViewsAreStored_WhenOneCannotBeEncoded) {
   const ObjectId bad{1U << 31U}, good{bad.value + 1};
-  ASSERT_TRUE(store_->addObject(view(bad, {1000001, 1})));  // wider than a PNG may be
+  ASSERT_TRUE(store_->addObject(view(bad, {1000001, 1})));  // wider than a PNG can be
   store_->addView(view(bad, {10, 10}));
   ASSERT_TRUE(store_->addObject(view(good, {10, 10})));
   const Result<void> finished = store_->finish();

@@ -120,7 +120,7 @@ TEST_F(IdentityResolverTest, RegionsLeaveTheirObject_AfterSeveralMismatches) {
 
 TEST_F(IdentityResolverTest, CandidateAtTheSamePlaceIsTheObject_UnlessItIsAnotherCompleteSet) {
   const ObjectId mug = add(mug_);
-  const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as near
+  const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as close
   constexpr int kLater = 100;
   EXPECT_EQ(identities_->identityOf(book.candidate(), std::nullopt, kLater, true), mug);
   settle({setOf({mug_.region}), setOf({book.region})});

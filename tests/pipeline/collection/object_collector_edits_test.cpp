@@ -50,7 +50,7 @@ TEST_F(ObjectCollectorEditsTest, MergeByAUserIsFollowed_AndItsUndo) {
   EXPECT_EQ(seen.seen[0].object, merge->into);
   EXPECT_EQ(seen.seen[1].object, merge->into);
   EXPECT_EQ(collector_->objects().list().size(), 1U);
-  // A view of the part that was merged in goes with it when the merge is taken back.
+  // A view of the merged part goes with it when the merge is undone.
   EXPECT_EQ(look({mug_, box_}, 30).new_views.size(), 1U) << "the same direction of one object";
   ASSERT_TRUE(person_->unmerge(*merge));
   seen = look({mug_, box_}, 60);
@@ -129,7 +129,7 @@ TEST_F(ObjectCollectorEditsTest, ObjectsThatUsersEditedStayTwo_WhenTheirRegionsJ
   static_cast<void>(look({mug_, box_, cup_}));
   collector_->joinRegions(mug_.region, box_.region);
   EXPECT_TRUE(look({mug_, cup_}).merged.empty());
-  // With one that nobody said anything of, the name stays.
+  // A merge with an object that no user edited keeps the name.
   collector_->joinRegions(cup_.region, mug_.region);
   ASSERT_EQ(look({cup_}).merged.size(), 1U);
   EXPECT_EQ(collected(collector_->objects().idOf(cup_.region)).name, "my mug");

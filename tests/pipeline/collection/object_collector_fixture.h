@@ -10,7 +10,7 @@
 
 namespace scantrove::test {
 
-/// Shows an ObjectCollector things on a table.
+/// Shows things on a table to an ObjectCollector.
 class ObjectCollectorFixture : public TableFixture {
  protected:
   void SetUp() override {
@@ -32,11 +32,11 @@ class ObjectCollectorFixture : public TableFixture {
     moveIn(collector_, ObjectCollector::create(*compute_, *database_, writer, params()));
   }
 
-  /// Waits until all is stored, and all changes by others are known.
+  /// Waits until all results are stored and all changes by others are known.
   void settle() { ASSERT_TRUE(collector_->settle(std::chrono::seconds(60))); }
 
-  /// One frame that shows `things` from a direction about the vertical; with what is stored of it, unless
-  /// the catalogue is not to be waited for.
+  /// Collects one frame with `things` from a direction about the vertical. Includes its stored results,
+  /// unless waits_ is false.
   FrameObjects look(const std::vector<Thing>& things, double degrees = 0) {
     std::vector<Candidate> candidates;
     for (const Thing& thing : things) candidates.push_back(thing.candidate());
@@ -63,7 +63,8 @@ class ObjectCollectorFixture : public TableFixture {
     for (SeenObject& seen : objects.seen) collector_->objects().describe(seen);  // as snapshots do
   }
 
-  /// So many such frames that what is unknown counts as unknown; all that they gave, seen as in the last.
+  /// Collects enough such frames to decide that an object is unknown; all results together, `seen` as in
+  /// the last.
   FrameObjects study(const std::vector<Thing>& things, double degrees = 0) {
     FrameObjects all;
     for (int i = 0; i <= RecognitionHistory::kAttemptsToGiveUp * RecognitionHistory::kFramesApart; ++i) {
@@ -78,7 +79,7 @@ class ObjectCollectorFixture : public TableFixture {
     return all;
   }
 
-  /// A frame in which the thing is not found, seen from the origin; all readings are at `z_m`.
+  /// A frame without the thing, taken from the origin; all readings are at `z_m`.
   void lookAtPlaceOf(const Thing& thing, float z_m) {
     static_cast<void>(look({}));
     const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(thing.centroid().x(), 0, 0));
@@ -86,7 +87,7 @@ class ObjectCollectorFixture : public TableFixture {
     collector_->checkPlaces({K, T_world_camera, cv::Mat(240, 320, CV_32FC1, cv::Scalar(z_m))}, kDepthNoise_m);
   }
 
-  /// The object as the scan reports it.
+  /// The object in the scan's report.
   [[nodiscard]] CollectedObject collected(ObjectId id) const {
     const std::vector<CollectedObject> all = collector_->objects().list();
     const auto found = std::ranges::find(all, id, &CollectedObject::id);
@@ -95,7 +96,7 @@ class ObjectCollectorFixture : public TableFixture {
 
   CatalogueWriter::Options writer_{.retry = std::chrono::milliseconds(20)};
   std::unique_ptr<ObjectCollector> collector_;
-  bool waits_ = true;  // each frame for all to be stored
+  bool waits_ = true;  // after each frame, until all is stored
 };
 
 }  // namespace scantrove::test

@@ -55,15 +55,15 @@ TEST_F(ObjectCollectorTest, ReportsARecognizedObjectOnce) {
 TEST_F(ObjectCollectorTest, FindsTheObjectAtItsPlace_UnderANewRegion) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
-  const Thing again{7, mug_.place, RegionId{77}};  // even when it looks like another
+  const Thing again{7, mug_.place, RegionId{77}};  // even if it looks like another object
   EXPECT_TRUE(study({again}).added.empty());
   EXPECT_EQ(collector_->objects().idOf(again.region), mug);
 }
 
 TEST_F(ObjectCollectorTest, ObjectIsNotMissing_WhenItIsHidden) {
   static_cast<void>(study({mug_}));
-  for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 0.3F);   // somebody before it
-  for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 1.01F);  // a reading of itself
+  for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 0.3F);   // a person in front of it
+  for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 1.01F);  // a reading of the mug itself
   for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 0);
   const Thing other{mug_.seed, 2, RegionId{77}};
   EXPECT_EQ(study({other}).added.size(), 1U) << "another of the kind";
@@ -102,7 +102,7 @@ TEST_F(ObjectCollectorTest, RecognizesAMissingObject_WhenItAppearsInPart) {
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   for (int i = 0; i < 30; ++i) EXPECT_TRUE(lookAt({part}, {put}).added.empty());
   EXPECT_EQ(collector_->objects().idOf(put.region), mug);
-  part.has_appeared = false;  // it came long ago: its size raises no doubt
+  part.has_appeared = false;  // it appeared long ago, and its size is no mismatch
   for (int i = 0; i < 60; ++i) EXPECT_TRUE(lookAt({part}, {put}).added.empty());
   EXPECT_EQ(collector_->objects().idOf(put.region), mug);
 }
@@ -122,7 +122,7 @@ TEST_F(ObjectCollectorTest, HighSimilarityIsNeeded_WhenSeveralObjectsAreMissing)
   Candidate here = put.candidate();
   here.has_appeared = true;
   static_cast<void>(study({mug_, box_}));
-  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);  // in view is the box's place, too
+  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);  // the box's place is in view, too
   for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({here}, {put}));
   EXPECT_EQ(objects().size(), 3U);
 }
@@ -226,7 +226,7 @@ TEST_F(ObjectCollectorTest, FindsNoObjectUnderANewRegion_WhileItsOwnIsInView) {
   const Thing on_top{7, mug_.place, RegionId{77}};
   for (int i = 0; i < 20; ++i) static_cast<void>(look({}));
   collector_->tracks().setRegionsInView({mug_.region, on_top.region});
-  const FrameObjects found = study({on_top});  // the mug is in view, but nothing can be said of it
+  const FrameObjects found = study({on_top});  // the mug is in view, but is no candidate
   ASSERT_EQ(found.added.size(), 1U);
   EXPECT_NE(found.added[0].id, mug);
   EXPECT_EQ(objects().size(), 2U);
@@ -234,7 +234,7 @@ TEST_F(ObjectCollectorTest, FindsNoObjectUnderANewRegion_WhileItsOwnIsInView) {
 
 TEST_F(ObjectCollectorTest, AddsAnObject_AtThePlaceOfTwo) {
   const Candidate left = mug_.candidate();
-  Candidate right = box_.candidate(), both = cup_.candidate();  // which looks like neither
+  Candidate right = box_.candidate(), both = cup_.candidate();  // looks like neither
   right.centroid_world = left.centroid_world + Eigen::Vector3f(0.06F, 0, 0);
   both.centroid_world = left.centroid_world + Eigen::Vector3f(0.03F, 0, 0);
   both.size_m *= 1.2F;
@@ -306,7 +306,7 @@ TEST_F(ObjectCollectorTest, AddsUnknownObject_AfterSeveralFrames) {
 TEST_F(ObjectCollectorTest, PrefersTheKnownCandidate_WhenTwoShareRegions) {
   Candidate both = mug_.candidate();
   both.regions.add(box_.region);
-  both.odds = 1;  // likelier than its parts
+  both.odds = 1;  // more likely than its parts
   const ObjectId mug = study({mug_}).added.at(0).id;
   static_cast<void>(lookAt({both, mug_.candidate()}, {mug_}));
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
@@ -326,9 +326,8 @@ TEST_F(ObjectCollectorTest, RegionsOfALargerSetStayFree_WhenOneIsAnObject) {
 
 TEST_F(ObjectCollectorTest, RegionsOfARejectedSetStayFree) {
   ASSERT_EQ(study({mug_}).added.size(), 1U);
-  for (int i = 0; i < 20; ++i)
-    static_cast<void>(look({}));         // so long that it may be back under other regions
-  Candidate dropped = mug_.candidate();  // where the mug was, and as large
+  for (int i = 0; i < 20; ++i) static_cast<void>(look({}));  // long enough to reappear under other regions
+  Candidate dropped = mug_.candidate();                      // at the mug's place, with its size
   dropped.regions = {RegionId{77}, box_.region};
   dropped.is_complete = false;
   dropped.outline = 0;
@@ -339,7 +338,7 @@ TEST_F(ObjectCollectorTest, RegionsOfARejectedSetStayFree) {
 
 TEST_F(ObjectCollectorTest, MergesTwoObjects_AtOnePlace) {
   const ObjectId mug = study({mug_}).added.at(0).id;
-  // Met again after a long time under another region, and 0.3 of its size away: a second entry.
+  // Observed again much later under another region, 0.3 of its size away: a second entry.
   Candidate beside = mug_.candidate();
   beside.regions = {RegionId{77}};
   beside.centroid_world.x() += 0.3F * kSize.norm();
@@ -352,7 +351,7 @@ TEST_F(ObjectCollectorTest, MergesTwoObjects_AtOnePlace) {
   }
   ASSERT_TRUE(second);
   ASSERT_NE(second, mug);
-  // Seen better it stands where the first stood.
+  // A better observation is at the place of the first.
   beside.centroid_world = mug_.centroid();
   std::vector<ObjectMerge> merged;
   for (int frame = 0; frame < 5; ++frame)

@@ -13,8 +13,8 @@
 
 namespace scantrove::test {
 
-/// The parts of an ObjectCollector, each to be called by itself, and the catalogue that they write to. The
-/// parts know objects by keys; idOf() gives the number in the database, once it is stored.
+/// The parts of an ObjectCollector, to be called separately, and the catalogue that they write to. The
+/// parts identify objects by keys; idOf() gives the database id once stored.
 class PartsFixture : public TableFixture {
  protected:
   void SetUp() override {
@@ -37,7 +37,7 @@ class PartsFixture : public TableFixture {
     views_->setParams(params);
   }
 
-  /// Makes the thing an object, by a view from that direction. Returns its key.
+  /// Makes the thing an object with a view from that direction. Returns its key.
   ObjectId add(const Thing& thing, double degrees = 0) {
     const Shot shot = shoot({thing}, degrees);
     const ObjectId object = views_->addObject(thing.candidate(), shot.observed());
@@ -46,7 +46,7 @@ class PartsFixture : public TableFixture {
     tracks_->viewsOf(object).keep(shot.observed().directionOf(thing.candidate()));
     return object;
   }
-  /// Another view of it.
+  /// Adds another view of it.
   void addView(ObjectId object, const Thing& thing, const Candidate& candidate, double degrees) {
     views_->addView(object, candidate, shoot({thing}, degrees).observed());
   }
@@ -59,7 +59,7 @@ class PartsFixture : public TableFixture {
     views_->removeOutdated();
     store();
   }
-  /// Waits until all is stored, and learns what others did to the catalogue.
+  /// Waits until all results are stored, and reads the changes by others.
   void store() {
     writer_->follow();
     ASSERT_TRUE(writer_->settle(std::chrono::seconds(60)));

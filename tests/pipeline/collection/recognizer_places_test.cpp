@@ -1,4 +1,4 @@
-// What ObjectCollector knows again because earlier scans saw the same place.
+// Objects that ObjectCollector recognises because earlier scans saw the same place.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 using test::Thing;
 
-/// Four things that stand in a room, of which another scan knows all.
+/// Four things in a room, all known from another scan.
 class RecognizerPlacesTest : public test::ObjectCollectorFixture {
  protected:
   struct Placed {
@@ -24,7 +24,7 @@ class RecognizerPlacesTest : public test::ObjectCollectorFixture {
     jar_id_ = studyPlaced({jar_}).added.at(0).id;
     beginScan();
   }
-  /// Frames enough for all that is clear, from a world that is turned and shifted by `T`.
+  /// Enough frames to decide about each thing, in a world transformed by `T`.
   FrameObjects studyPlaced(const std::vector<Placed>& placed,
                            const Eigen::Isometry3f& T = Eigen::Isometry3f::Identity()) {
     FrameObjects all;
@@ -42,7 +42,7 @@ class RecognizerPlacesTest : public test::ObjectCollectorFixture {
     }
     return all;
   }
-  /// The jar, as it looks in other light from another side: too little like it was to be known by that.
+  /// The jar in other light from another side: too different to be recognised by that alone.
   [[nodiscard]] Placed jarInOtherLight() const {
     Placed jar = jar_;
     jar.thing.change = kOtherLight;

@@ -1,4 +1,4 @@
-// What ObjectCollector adds and recognizes while a scan is refined.
+// Objects that ObjectCollector adds and recognises during refinement.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@ using testing::IsEmpty;
 
 class RefinementTest : public test::ObjectCollectorFixture {
  protected:
-  /// The thing as a candidate that is rated.
+  /// The thing as a rated candidate.
   static Candidate rated(const Thing& thing, float objectness) {
     Candidate candidate = thing.candidate();
     candidate.is_complete = false;
     candidate.objectness = objectness;
     return candidate;
   }
-  /// The scene consists of these sets.
+  /// The complete sets of the scene.
   void begin(const std::vector<CompleteSet>& complete) {
     collector_->beginRefinement();
     collector_->settleComplete(complete, [](RegionId) { return false; });
@@ -51,7 +51,7 @@ class RefinementTest : public test::ObjectCollectorFixture {
   }
 
   static constexpr int kBestFrame = 3;
-  static constexpr int kFrames = 6;  // enough to look at everything
+  static constexpr int kFrames = 6;  // enough to compare everything
 };
 
 TEST_F(RefinementTest, AddsCompleteSetInTheLastPass_FromItsBestFrame) {
@@ -141,7 +141,7 @@ TEST_F(RefinementTest, AddsNothing_WhenAUserDeletedTheObject) {
 
 TEST_F(RefinementTest, NeighboringSetsStayTwoObjects) {
   const ObjectId mug = study({mug_}).added.at(0).id;
-  const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as near
+  const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as close
   begin({mug_, book});
   for (int i = 0; i < 2 * kFrames; ++i) static_cast<void>(lookAt({rated(book, 3)}, {book}));
   for (int i = 0; i < 3; ++i) static_cast<void>(lookAt({rated(mug_, 4)}, {mug_}));
@@ -183,7 +183,7 @@ TEST_F(RefinementTest, RecognizesNoObject_ThatTheMapHasElsewhere) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing unlike{9, 1, box_.region}, second{mug_.seed, 1, box_.region};
   beginScan();
-  collector_->bind(mug_.region, mug);  // a scan that continues, and has not been back there yet
+  collector_->bind(mug_.region, mug);  // a continued scan that has not returned there yet
   ASSERT_EQ(study({unlike}).added.size(), 1U);
   begin({second});
   for (int i = 0; i < kFrames; ++i) static_cast<void>(lookAt({rated(second, 3)}, {second}));

@@ -19,13 +19,13 @@ namespace scantrove::test {
 inline const Intrinsics kWorking{150, 150, 80, 60, 160, 120};
 inline const Eigen::Vector3f kSize(0.2F, 0.15F, 0.1F);
 
-/// A thing on a table as discovery finds it: of another look for each seed, at a place of its own.
+/// A thing on a table as discovery finds it: each seed has another appearance, each thing its own place.
 struct Thing {
   int seed = 0;
   int place = 0;
   RegionId region;
-  double change = 0;            ///< how much of another look is mixed in
-  bool is_upside_down = false;  ///< of the same colours, and yet of another look
+  double change = 0;            ///< fraction of another appearance that is mixed in
+  bool is_upside_down = false;  ///< same colours, different appearance
 
   [[nodiscard]] cv::Rect box() const { return {5 + 50 * place, 30, 40, 50}; }
   [[nodiscard]] Eigen::Vector3f centroid() const { return {0.5F * static_cast<float>(place), 0, 1}; }
@@ -54,7 +54,7 @@ struct Thing {
   }
 };
 
-/// A frame of things on a table, and where it was taken.
+/// A frame of things on a table, and its pose.
 struct Shot {
   RgbdFrame frame;
   Eigen::Isometry3d T_world_camera;
@@ -78,7 +78,7 @@ class TableFixture : public testing::Test {
   }
   [[nodiscard]] std::string file() const { return (folder_ / "catalogue.sqlite").string(); }
 
-  /// The next frame: it shows `things` from a direction about the vertical.
+  /// The next frame: `things` from a direction about the vertical.
   [[nodiscard]] Shot shoot(const std::vector<Thing>& things, double degrees = 0) {
     Shot shot;
     shot.frame.index = frame_++;
@@ -92,8 +92,8 @@ class TableFixture : public testing::Test {
   }
   static SurfaceInColor inColor() { return locateInColor(std::nullopt, {kWorking}); }
 
-  /// What the map shows from a frame in the end: the thing's region where its view had it, or in a part of
-  /// that only; a surface `surface_m` ahead.
+  /// The final map rendered from a frame: the thing's region fills its view's mask, or only a part; the
+  /// surface is `surface_m` ahead.
   [[nodiscard]] static RenderedView mapWith(const Thing& thing, double part, float surface_m = 1) {
     RenderedView map;
     map.K = kWorking;
@@ -110,7 +110,7 @@ class TableFixture : public testing::Test {
     return map;
   }
 
-  // What the catalogue has.
+  // The catalogue's content.
 
   std::vector<ObjectRecord> objects() {
     const Result<std::vector<ObjectRecord>> objects = person_->objects();

@@ -1,4 +1,4 @@
-// What a collector does when users name regions, or say that they are objects.
+// Users name regions, or mark them as objects.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -16,12 +16,12 @@ using testing::HasSubstr;
 
 class UserRequestsTest : public test::ObjectCollectorFixture {
  protected:
-  /// As the pipeline does it when a region gets a name.
+  /// Reports a region's new name, as the pipeline does.
   void name(const Thing& thing, const std::string& name) {
     collector_->requests().name(thing.region, name);
     collector_->requests().request(thing.region, name);
   }
-  /// The same where it loses it again.
+  /// Reports that the region lost its name.
   void unname(const Thing& thing, const std::string& name) {
     collector_->requests().undoName(thing.region, name);
     collector_->requests().cancel(thing.region);
@@ -115,7 +115,7 @@ TEST_F(UserRequestsTest, RegionJoinsTheObjectOfThatName) {
   static_cast<void>(study({mug_}));
   name(mug_, "mug");
   static_cast<void>(look({mug_}));
-  // Another look of it in a later scan, which nobody recognises.
+  // Another appearance in a later scan, which is not recognised.
   beginScan();
   const Thing again{7, 1, RegionId{44}};
   name(again, "mug");
@@ -232,7 +232,7 @@ TEST_F(UserRequestsTest, RegionChangesItsObject_WhenUsersNamedBoth) {
   name(mug_, "mug");
   name(box_, "box");
   static_cast<void>(look({mug_, box_}));
-  name(box_, "mug");  // it was not the box
+  name(box_, "mug");  // the region was not the box
   for (int frame = 0; frame < 3; ++frame) static_cast<void>(look({mug_, box_}));
   EXPECT_EQ(record(first.added.at(1).id).name, "box") << "there is one, all the same";
   EXPECT_EQ(collector_->objects().idOf(box_.region), first.added.at(0).id);

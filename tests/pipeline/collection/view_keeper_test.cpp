@@ -119,7 +119,7 @@ TEST_F(ViewKeeperTest, ReplacesViewOfOneRegion_WhenTheCompleteSetIsLarger) {
   const ObjectId mug = add(mug_);
   const RegionId handle{77};
   RenderedView map = mapWith(mug_, 1);
-  // Beside it and nearly as large: the mug alone is still the larger part, of a little more than half.
+  // Beside the mug and nearly as large: the mug alone is still slightly more than half of both.
   const cv::Rect box_px = mug_.candidate().box_px;
   for (int v = box_px.y; v < box_px.br().y; ++v) {
     const auto beside = map.regions.begin() + v * map.K.width + box_px.br().x;

@@ -12,7 +12,7 @@ namespace {
 const Intrinsics kWorking{290, 290, 159.5F, 119.5F, 320, 240};
 const Eigen::Isometry3d kOrigin = Eigen::Isometry3d::Identity();
 
-/// Every pixel says where it is.
+/// Every pixel encodes its position.
 RgbdFrame frameOf(const cv::Size& color, const cv::Size& depth) {
   RgbdFrame frame;
   frame.index = 42;
@@ -109,9 +109,9 @@ TEST(CropView, DirectionPointsToTheCamera) {
   EXPECT_EQ(view->size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
 }
 
-// ---- colour of a camera of its own ----
+// ---- colour of a separate camera ----
 
-/// A disc and behind its left edge a rectangle, both upright before a wall.
+/// A disc with a rectangle behind its left edge, both upright in front of a wall.
 struct Stage {
   static constexpr float kDisc_m = 0.8F, kRectangle_m = 1.2F, kWall_m = 2.0F;
   enum What : uchar { wall, disc, rectangle };
@@ -120,7 +120,7 @@ struct Stage {
   static bool isOnRectangle(const Eigen::Vector3f& p) {
     return p.x() > -0.5F && p.x() < -0.2F && std::abs(p.y()) < 0.1F;
   }
-  /// What the ray from `eye` along (x, y, 1) meets, and its depth.
+  /// The surface on the ray from `eye` along (x, y, 1), and its depth.
   static std::pair<What, float> cast(const Eigen::Vector3f& eye, float x, float y) {
     const auto at = [&](float z) -> Eigen::Vector3f {
       return eye + (z - eye.z()) * Eigen::Vector3f(x, y, 1);
@@ -188,7 +188,7 @@ struct StagedFrame {
   }
 };
 
-/// Pixels that only one of both has, in parts of those that the truth has.
+/// Pixels in only one of both, as a fraction of the truth's.
 double difference(const cv::Mat& mask, const cv::Mat& truth) {
   return static_cast<double>(cv::countNonZero(mask != truth)) / cv::countNonZero(truth);
 }
@@ -200,8 +200,8 @@ TEST(CropView, CropsTheRightPixels_OfALargerColorImage) {
   const Candidate disc = stage.candidate(Stage::disc);
   const auto view = cropView(frame, kOrigin, stage.inColor(kOrigin), disc);
   ASSERT_TRUE(view);
-  // The disc spans -0.22 .. 0.02 and -0.12 .. 0.12 of the depth camera at 0.8 m; what is drawn of it with
-  // pixels of 2.8 mm reaches the border to half a pixel.
+  // The disc spans -0.22 .. 0.02 and -0.12 .. 0.12 of the depth camera at 0.8 m; its image with pixels of
+  // 2.8 mm reaches the border to half a pixel.
   const cv::Point first = placeIn(view->color, 0, 0);
   const double half_pixel = 0.5 * 1050 / 290 + 1;
   EXPECT_NEAR(first.x, 1050 * (-0.22 - 0.025) / 0.8 + 640, half_pixel);
@@ -225,9 +225,9 @@ TEST(CropView, MaskHasTheOutlineOfTheColorImage) {
   ASSERT_TRUE(view);
   std::vector<cv::Mat> channels;
   cv::split(view->color, channels);
-  // The outline of 990 pixels off by half a pixel everywhere would be 0.7 % of the disc's.
+  // The outline of 990 pixels with an error of half a pixel everywhere would be 0.7 % of the disc's area.
   EXPECT_LT(difference(view->mask, channels[0] == Stage::disc), 0.01);
-  // Depth is laid over colour, to half a working pixel at the outline.
+  // Depth is registered to colour, to half a working pixel at the outline.
   EXPECT_LT(cv::countNonZero((view->mask == 255) & (view->depth_mm != 800)),
             0.01 * cv::countNonZero(view->mask));
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr ObjectId kMug{7}, kNew{CatalogueMirror::kFirstKey};
 constexpr RegionId kRegion{11}, kPart{12};
 
-/// Something of everything.
+/// A state with every kind of entry.
 CollectorState someState() {
   CollectorState state;
   state.catalogue = {3, CatalogueMirror::kFirstKey + 1, {{kNew, ObjectId{9}}}, {{kMug, kNew}}, {kMug}};

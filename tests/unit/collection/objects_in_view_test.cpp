@@ -13,8 +13,7 @@ ObjectId thingOf(RegionId region) {
   return region == kCrumb ? kTheCrumb : ObjectId{};
 }
 
-/// A table of 10 x 8 pixels with a mug of two regions and a crumb on it, seen by one camera in depth and
-/// colour.
+/// A table of 10 x 8 pixels with a mug of two regions and a crumb, seen by one camera in depth and colour.
 class ObjectsInView : public testing::Test {
  protected:
   ObjectsInView() {
@@ -60,7 +59,7 @@ TEST_F(ObjectsInView, OnePixelCounts_WhenThatIsEnough) {
 }
 
 TEST_F(ObjectsInView, RectangleIsSmaller_WhenColorDoesNotShowAllOfTheObject) {
-  in_color_.hidden(cv::Rect(5, 0, 1, 8)).setTo(255);  // where the handle is
+  in_color_.hidden(cv::Rect(5, 0, 1, 8)).setTo(255);  // the handle
   const std::vector<SeenObject> objects = seen(2);
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_EQ(objects.front().regions, RegionSet{kBody});

@@ -8,7 +8,7 @@ namespace {
 const RegionSet kThing{RegionId{3}};
 constexpr float kMax = 0.5F;
 
-/// The verdict after looks that named these objects, 0 = none, each at the given distance.
+/// The verdict after comparisons that found these objects, 0 = none, each at the given distance.
 std::optional<ObjectId> after(const std::vector<std::uint32_t>& named, float distance = 0.4F) {
   RecognitionHistory history;
   int frame = 0;
