@@ -18,7 +18,7 @@ namespace scantrove {
 ///     000001/rgb depth NNNNNN.*        depth as the colour camera sees it; depth_scale makes it mm
 ///     000001/mask mask_visib NNNNNN_MMMMMM.png   MMMMMM: place in the list of scene_gt.json
 ///     000001/scene_camera.json scene_gt.json scene_gt_info.json
-///     models/obj_NNNNNN.ply models_info.json     z up, the middle of its box in the origin; obj_id = region
+///     models/obj_NNNNNN.ply models_info.json     z up, centre of its box in the origin; obj_id = region
 ///     id camera.json labels.json
 /// One instance for each region; mask/ covers its surface in the map and its visible part in the image.
 [[nodiscard]] Result<void> exportBop(ExportJob& job);

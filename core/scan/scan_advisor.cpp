@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-/// Share of the image.
+/// Maximum fraction of the image with surface that is too far away.
 constexpr double kMax = 0.5;
 /// Frames after which it is decided whether most of the surface is too far away.
 constexpr int kFramesToJudge = 20;

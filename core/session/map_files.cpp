@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// Size from which on a new file of the map is started.
 constexpr std::uint64_t kLargestFile_bytes = 256ULL << 20U;
-/// Outdated records stay up to this size, and up to the size of the current ones.
+/// Outdated records stay until they exceed this size and that of the current records.
 constexpr std::uint64_t kOutdated_bytes = 32ULL << 20U;
 /// Columns of `pages`: file, offset, packed and unpacked bytes. Page positions are 32-bit brick
 /// coordinates.

@@ -20,7 +20,7 @@ namespace {
 
 /// Width at which key frames are rendered, and the minimum number of a region's pixels for a view.
 constexpr int kSmallWidth_px = 160, kMinPixels = 8;
-/// Weight of pixels of a region that the image's border cuts off.
+/// Weight of a region's pixels if the image's border cuts it off.
 constexpr float kCropFraction = 0.4F;
 /// Minimum worth of a view, relative to the best one.
 constexpr float kMinOfBest = 0.2F;

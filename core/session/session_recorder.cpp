@@ -266,7 +266,7 @@ bool SessionRecorder::arePagesWaiting() {
 
 SavedDelta SessionRecorder::collect(MappingPipeline& pipeline, const ObjectCollector* collector) {
   SavedDelta delta;
-  delta.metadata = std::exchange(setup_.metadata, {});  // the scan's end
+  delta.metadata = std::exchange(setup_.metadata, {});  // as at the scan's end
   delta.metadata["last_region"] = std::to_string(pipeline.labels().table().lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   delta.recordings = std::exchange(recordings_, {});
