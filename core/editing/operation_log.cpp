@@ -29,7 +29,7 @@ const OperationLog::Entry* OperationLog::undo() {
 }
 
 const OperationLog::Entry* OperationLog::redo() {
-  // Those that are undone were done after all that are done.
+  // Undone entries come after all done ones.
   const auto found = std::ranges::find(entries_, State::undone, &Entry::state);
   if (found == entries_.end()) return nullptr;
   found->state = State::done;

@@ -14,9 +14,10 @@
 namespace scantrove {
 namespace {
 
-/// Of a place that is pointed at, so much around it is meant with it.
+/// Radius around a given place whose voxels belong to it.
 constexpr float kPointed_m = 0.012F;
-/// finer: by how much less borders speak for joining, until the region parts; then k, halved so often.
+/// finer: lowers the borders' log-odds, up to kLessTimes, until the region splits; then halves k, up to
+/// kHalvings times.
 constexpr float kFirstLess = 0.5F;
 constexpr int kLessTimes = 6;
 constexpr float kFirstThreshold = 0.3F;
@@ -24,11 +25,10 @@ constexpr int kHalvings = 10;
 
 std::string called(RegionId region) { return "region " + std::to_string(region.value); }
 
-/// Regions become one by it.
+/// True if the operation joins regions.
 bool isJoining(OperationKind kind) { return kind == OperationKind::join || kind == OperationKind::coarser; }
 
-/// Pairs (into, from) of a join. A fragment may be gone that was a region's only one, so its moves do not say
-/// it all.
+/// Pairs (into, from) of a join. Its moves may be incomplete, because a region's only fragment may be gone.
 std::set<std::pair<RegionId, RegionId>> joinedBy(const OperationLog::Entry& entry) {
   std::set<std::pair<RegionId, RegionId>> joined;
   for (const RegionMove& move : entry.effect.moves) joined.emplace(move.after, move.before);
@@ -44,8 +44,8 @@ UserLabel userLabelOf(const RegionNote& note) {
   return note.background || note.rejected ? UserLabel::background : UserLabel::nothing;
 }
 
-/// The operation with the names as they are stored, by the same rule as the catalogue's. An empty name
-/// removes the name and so passes.
+/// The operation with names in their stored form, by the catalogue's rule. Empty names, which remove a name,
+/// are valid.
 Result<Operation> withCheckedNames(Operation operation) {
   if (!isNaming(operation.kind)) return operation;
   if (!trimmed(operation.name).empty()) {
@@ -109,7 +109,7 @@ Result<void> RegionEditor::note(Work& work) {
     if (operation.kind == OperationKind::background) {
       note.background = operation.on;
     } else if (operation.kind == OperationKind::object) {
-      // What is no object any more is left out of lists and data sets, whoever took it for one.
+      // A region unmarked as an object is left out of lists and data sets, even if the program found it.
       note.object = operation.on;
       note.rejected = !operation.on;
       if (operation.on) note.background = false;
@@ -234,7 +234,7 @@ void RegionEditor::remember(RegionId region, Work& work) const {
 std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region, const SurfaceGraph& graph,
                                                                 std::span<const std::uint32_t> part,
                                                                 std::size_t parts) {
-  // What each fragment has in each part; the part that has most of it keeps it.
+  // Voxels of each fragment in each part; the part with most of them keeps the fragment.
   std::map<FragmentId, std::vector<std::vector<Eigen::Vector3i>>> voxels;
   for (std::size_t i = 0; i < graph.voxels.size(); ++i) {
     auto& of_fragment = voxels[graph.voxels[i].fragment];
@@ -247,7 +247,7 @@ std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region,
   for (const FragmentId fragment : members) {
     const auto found = voxels.find(fragment);
     if (found == voxels.end()) {
-      fragments.front().push_back(fragment);  // not at the surface, or far from what was pointed at
+      fragments.front().push_back(fragment);  // not at the surface, or far from the given places
       continue;
     }
     const auto largest = std::ranges::max_element(found->second, {}, &std::vector<Eigen::Vector3i>::size);
@@ -267,7 +267,7 @@ std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region,
 }
 
 void RegionEditor::divide(Work& work, const std::vector<Fragments>& parts) {
-  // Fragments that were cut out just now are to go back to where they came from.
+  // An undo must return fragments that were split just now to their region.
   const RegionId region = work.operation.regions.front();
   for (const Fragments& part : parts) {
     for (const FragmentId fragment : part) {
@@ -319,7 +319,7 @@ void RegionEditor::setNote(RegionId region, const RegionNote& note) {
 }
 
 void RegionEditor::takeInNewFragments(const OperationLog::Entry& entry, bool is_undo) {
-  // A join moves whole regions; a cut's parts go back as a whole, but for the one that kept the region's
+  // A join moves complete regions. Undoing a cut moves complete parts, except the one that kept the region's
   // identity.
   const bool is_joining = isJoining(entry.operation.kind);
   if (is_joining == is_undo) return;
@@ -333,7 +333,7 @@ void RegionEditor::takeInNewFragments(const OperationLog::Entry& entry, bool is_
   if (is_joining) {
     for (const auto& [into, from] : joinedBy(entry)) moveWhole(from, from, into);
   } else {
-    std::map<RegionId, RegionId> parts;  // and what each was a part of
+    std::map<RegionId, RegionId> parts;  // part -> its former region
     for (const RegionMove& move : entry.effect.moves) parts.emplace(move.after, move.before);
     for (const auto& [part, region] : parts) {
       if (part != entry.operation.regions.front()) moveWhole(part, region, part);
@@ -372,7 +372,7 @@ Result<RegionEditor::Outcome> RegionEditor::undo() {
   for (const auto& constraint : effect.constraints)
     merger_->constrain(constraint.a, constraint.b, constraint.before);
   for (const auto& note : effect.notes) setNote(note.region, note.before);
-  // Regions that came back are what was said of them before they went.
+  // Restored regions get their former labels.
   for (const RegionMove& move : effect.moves) table_.say(move.before, userLabelOf(notes_.of(move.before)));
   outcome.regions = entry->operation.regions;
   outcome.operation = entry->operation;

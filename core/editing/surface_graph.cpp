@@ -18,7 +18,7 @@ struct VoxelHash {
   }
 };
 
-/// The half of a voxel's 26 neighbours that comes after it.
+/// The half of a voxel's 26 neighbours that follow it in order.
 std::vector<Eigen::Vector3i> laterNeighbors() {
   std::vector<Eigen::Vector3i> steps;
   for (int z = -1; z <= 1; ++z) {
@@ -31,11 +31,11 @@ std::vector<Eigen::Vector3i> laterNeighbors() {
   return steps;
 }
 
-/// Eq. 3.5 without its distance: neighbours in the grid are close.
+/// Eq. 3.5 without the distance test, because neighbours in the grid are close.
 float weightBetween(const SurfaceVoxel& i, const SurfaceVoxel& j) {
   const float concave = 0.5F * (i.normal_world - j.normal_world).squaredNorm();
   const Eigen::Vector3f step = (j.voxel - i.voxel).cast<float>();
-  // Of both ends, so that it does not matter which comes first.
+  // From both ends, for symmetry.
   const bool convex = step.dot(j.normal_world) - step.dot(i.normal_world) > 0;
   return convex ? concave * concave : concave;
 }

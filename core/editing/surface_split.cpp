@@ -14,13 +14,13 @@ namespace {
 
 /// Turns of neighbouring normals below this are noise.
 constexpr float kNoise_rad = 0.15F;
-/// What a way of one voxel costs on a smooth surface, in radians of turn.
+/// Path cost per voxel on a smooth surface, in radians of turn.
 constexpr float kStep_rad = 0.03F;
-/// A turn from which an edge is cheap to cut.
+/// Turns from here on make an edge cheap to cut.
 constexpr float kFold_rad = 0.25F;
-/// What an edge across the sharpest fold costs, of that on a smooth surface.
+/// Cost of cutting an edge across the sharpest fold, relative to a smooth surface.
 constexpr float kMinCapacity = 0.01F;
-/// What it costs to put a voxel on the far side, of an edge on a smooth surface.
+/// Cost of assigning a voxel to the farther side, relative to an edge on a smooth surface.
 constexpr float kLeaning = 0.2F;
 constexpr float kCertain = 1e6F;
 
@@ -39,7 +39,7 @@ std::vector<std::vector<Neighbor>> neighborsOf(const SurfaceGraph& graph) {
   return neighbors;
 }
 
-/// Length of the shortest way along the surface from the nearest of `from` (Dijkstra).
+/// Length of the shortest path along the surface from the nearest of `from` (Dijkstra).
 std::vector<float> distancesFrom(std::span<const std::uint32_t> from,
                                  const std::vector<std::vector<Neighbor>>& neighbors) {
   std::vector<float> distances(neighbors.size(), std::numeric_limits<float>::infinity());
@@ -68,7 +68,7 @@ float capacityOf(const SurfaceGraph::Edge& edge) {
   return std::exp(-turn * turn) + kMinCapacity;
 }
 
-/// Voxels by the component that they belong to.
+/// The components of voxels.
 class Components {
  public:
   explicit Components(std::size_t voxels) : parent_(voxels), size_(voxels, 1), inner_(voxels, 0) {
@@ -112,7 +112,7 @@ std::vector<std::uint8_t> splitSurface(const SurfaceGraph& graph, std::span<cons
   for (std::size_t voxel = 0; voxel < graph.voxels.size(); ++voxel) {
     const int vertex = flow.addVtx();
     if (!isReached(voxel)) continue;
-    float nearness = 0;  // 0 at what is here .. 1 there
+    float nearness = 0;  // 0 at `here` .. 1 at `there`
     if (!std::isfinite(to_here[voxel])) {
       nearness = 1;
     } else if (std::isfinite(to_there[voxel]) && to_here[voxel] + to_there[voxel] > 0) {

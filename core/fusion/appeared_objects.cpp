@@ -9,13 +9,13 @@
 namespace scantrove {
 namespace {
 
-/// A few voxels: noise keeps a resting thing within its cells, and neighbours on a table differ.
+/// A few voxels: larger than the noise of an object at rest, smaller than gaps between objects on a table.
 constexpr float kCell_m = 0.02F;
-/// What passes by is in a cell for some frames; what comes to rest, until it enters the map.
+/// Frames in a cell from which an object is at rest; a passing object stays for fewer.
 constexpr int kFramesAtRest = 8;
-/// A cell in which nothing moved for so long forgets what was.
+/// A cell without motion for this long is dropped.
 constexpr int kForgetsAfterFrames = 150;
-/// Readings of one thing came to rest within so many frames, and are nearer to each other than this.
+/// Readings of one object came to rest within kAtOnceFrames and are nearer to each other than kSameThing_m.
 constexpr int kAtOnceFrames = 20;
 constexpr float kSameThing_m = 0.03F;
 constexpr float kSameThingSlope = 0.02F;  // of the depth: pixels lie farther apart there
@@ -50,7 +50,7 @@ void AppearedObjects::add(const DepthView& view, const cv::Mat& moving, const cv
   std::vector<Cell> moved;
   for (int v = 0; v < moving.rows; ++v) {
     for (int u = 0; u < moving.cols; ++u) {
-      // Beside these the mask covers what the thing stands on.
+      // Other pixels of the mask show the object's support.
       if (moving.at<std::uint8_t>(v, u) == 0 || intruding.at<std::uint8_t>(v, u) == 0 || !(cells.z(u, v) > 0))
         continue;
       moved.push_back({cells.at(u, v), now, now, 1});
@@ -59,7 +59,7 @@ void AppearedObjects::add(const DepthView& view, const cv::Mat& moving, const cv
   std::ranges::sort(moved, {}, &Cell::at);
   const auto isSamePlace = [](const Cell& a, const Cell& b) { return a.at == b.at; };
   moved.erase(std::unique(moved.begin(), moved.end(), isSamePlace), moved.end());
-  // Both are in order: those of before come first among equals.
+  // Both are sorted; among equal cells the earlier one comes first.
   std::vector<Cell> all;
   all.reserve(seen_.cells.size() + moved.size());
   std::ranges::merge(seen_.cells, moved, std::back_inserter(all), {}, &Cell::at, &Cell::at);
@@ -69,7 +69,7 @@ void AppearedObjects::add(const DepthView& view, const cv::Mat& moving, const cv
       seen_.cells.push_back(cell);
       continue;
     }
-    // Something else came here before.
+    // An earlier object was here.
     Cell& before = seen_.cells.back();
     if (cell.last - before.last > kFramesAtRest) before = {cell.at, cell.since, cell.last, 0};
     before.last = cell.last;

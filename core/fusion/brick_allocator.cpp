@@ -83,7 +83,7 @@ std::vector<cl_int4> BrickAllocator::listMissing(const BrickMap& map, const Bric
     count_.read(compute_->queue(), std::span(&count, 1));
     const auto found = static_cast<std::size_t>(count);
     if (found > list_.size()) {
-      // A list cut off somewhere would depend on the order of the threads: once more with room for all.
+      // A truncated list would depend on the order of the threads, so repeat with room for all.
       list_ = Buffer<cl_int4>(compute_->context(), 2 * found);
       continue;
     }

@@ -12,7 +12,7 @@ namespace scantrove {
 namespace {
 
 constexpr double kPoolBytes = BRICK_VOXELS * static_cast<double>(sizeof(cl_uint));  // of a brick, the largest
-/// Times the largest pool: all of them are 2.75 of it, and half of one more is there while one is replaced.
+/// In units of the largest pool: all pools are 2.75 of it, plus half of one while it is replaced.
 constexpr double kGrowingPools = 3.5;
 constexpr double kMebibyte = 1 << 20;
 

@@ -39,7 +39,7 @@ void BrickIndex::erase(const Eigen::Vector3i& brick, std::vector<std::size_t>& c
   for (std::size_t i = (hole + 1) & mask; entries_[i].slot != BRICK_NONE; i = (i + 1) & mask) {
     const BrickEntry& entry = entries_[i];
     const std::size_t home = brick_hash(entry.x, entry.y, entry.z) & mask;
-    // Where the search for it starts at or before the hole, counted along the ring, it may move there.
+    // An entry may move to the hole if its search starts at or before the hole along the ring.
     if (((i - home) & mask) < ((i - hole) & mask)) continue;
     entries_[hole] = entry;
     changed.push_back(hole);

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kFirstSlots = 1 << 14;  // about what one view of a room needs
+constexpr int kFirstSlots = 1 << 14;  // about one view of a room
 
 bool comesBefore(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
@@ -39,7 +39,7 @@ BrickMap::BrickMap(ComputeContext& compute, float voxel_size_m, const BrickBudge
 void BrickMap::reserve(int slots) {
   const int capacity = pools_.capacity();
   if (slots <= capacity) return;
-  // Up to the budget by doubling; beyond it no more than is called for, and a little.
+  // Doubles up to the budget; beyond it grows by little more than needed.
   const int beyond = capacity + capacity / 8;
   pools_.grow(
       std::max(slots, 2 * capacity <= budget_.bricks ? 2 * capacity : std::max(budget_.bricks, beyond)),
@@ -108,7 +108,7 @@ void BrickMap::deactivate(std::span<const Eigen::Vector3i> bricks) {
   holdPagesOf(bricks);
   for (const Eigen::Vector3i& brick : bricks) {
     const int slot = index_.slotOf(brick);
-    if (slot == BRICK_NONE) continue;  // of a page that could not be read back
+    if (slot == BRICK_NONE) continue;  // of a page that could not be read
     SCANTROVE_CHECK(!inactive_[static_cast<std::size_t>(slot)]);
     inactive_[static_cast<std::size_t>(slot)] = true;
     pages_.deactivate(brick, slot, changed_page_slots_);

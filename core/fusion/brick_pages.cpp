@@ -86,7 +86,7 @@ void BrickPages::deactivate(const Eigen::Vector3i& brick, int slot, std::vector<
   Page& page = pages_[static_cast<std::size_t>(index)];
   std::erase(page.slots, slot);
   page.inactive.push_back(slot);
-  // The bricks around may know of a larger empty cube, but a smaller one is never wrong.
+  // A larger empty cube may exist around the brick, but a smaller one is never wrong.
   const std::size_t element = static_cast<std::size_t>(page.block) * PAGE_BRICKS + localBrick(brick);
   page_slots_[element] = PAGE_EMPTY_CUBE(0);
   changed.push_back(element);
@@ -139,7 +139,7 @@ void BrickPages::keepEmptyBelow(int level, std::size_t block_start, const Eigen:
 std::vector<int> BrickPages::pagesInView(const ViewFrustum& frustum, double brick_size_m) const {
   const double page_size_m = PAGE_SIDE * brick_size_m;
   const double brick_radius_m = 0.5 * std::sqrt(3.0) * brick_size_m;
-  // Every brick's sphere lies in its page's sphere grown by what a sphere sticks out of its brick.
+  // Every brick's sphere lies in its page's sphere, enlarged by the margin of a sphere around its brick.
   const double page_radius_m = 0.5 * std::sqrt(3.0) * page_size_m + brick_radius_m;
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(brick_radius_m);
   const Eigen::Vector3i first = clampedPage((frustum.boundsWorld().min() - margin) / page_size_m);
@@ -152,7 +152,7 @@ std::vector<int> BrickPages::pagesInView(const ViewFrustum& frustum, double bric
   };
   const double box = ((last - first).cast<double>().array() + 1.0).prod();
   if (box > static_cast<double>(pages_.size())) {
-    // A view larger than the map: look at what there is.
+    // The view is larger than the map, so visit the existing pages.
     for (std::size_t i = 1; i < pages_.size(); ++i) addIfSeen(static_cast<int>(i), pages_[i].position);
     return result;
   }

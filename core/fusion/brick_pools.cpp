@@ -23,7 +23,7 @@ void growPool(ComputeContext& compute, Buffer<T>& pool, int slots, int used) {
   pool = larger;
 }
 
-/// Calls `visit(first slot, how many, place in slots)` for each run of neighbours.
+/// Calls `visit(first slot, count, index in slots)` for each run of consecutive slots.
 template <class Visit>
 void forEachRun(std::span<const int> slots, const Visit& visit) {
   for (std::size_t first = 0, last = 0; first < slots.size(); first = last) {
@@ -33,8 +33,7 @@ void forEachRun(std::span<const int> slots, const Visit& visit) {
   }
 }
 
-/// Calls `visit(voxels, how many, place in slots)` for each run, with the memory of a device that has the
-/// host's.
+/// Calls `visit(voxels, count, index in slots)` for each run, on a device that shares the host's memory.
 template <class T, class Visit>
 void onHost(ComputeContext& compute, const Buffer<T>& pool, std::span<const int> slots, cl_map_flags access,
             const Visit& visit) {
@@ -102,7 +101,7 @@ bool BrickPools::makeAtOnce(int slots) {
     auto weights = Buffer<cl_uchar>::zeroed(compute_.context(), voxelsOf(slots));
     auto labels = Buffer<cl_uint>::zeroed(compute_.context(), voxelsOf(slots));
     auto colors = Buffer<cl_uint>::zeroed(compute_.context(), voxelsOf(slots));
-    // A driver may put off what it was asked for until it is used.
+    // A driver may defer an allocation until its first use.
     distances.fill(compute_.queue(), DISTANCE_UNSEEN, 0, 1);
     weights.fill(compute_.queue(), 0, 0, 1);
     labels.fill(compute_.queue(), 0U, 0, 1);
@@ -119,7 +118,7 @@ bool BrickPools::makeAtOnce(int slots) {
   }
 }
 
-// Voxels of slots that are not handed out yet are never read and need no value.
+// Voxels of unassigned slots are never read and need no value.
 void BrickPools::grow(int slots, int used) {
   if (slots <= capacity_) return;
   growPool(compute_, distances_, slots, used);
@@ -137,8 +136,8 @@ void BrickPools::clear(std::span<const int> slots) {
   std::vector<int> used;
   std::ranges::copy_if(slots, std::back_inserter(used), [this](int slot) { return slot < zero_from_; });
   use(slots);
-  // Of memory that is read before it is written to, the system gives zeros first and a page later, for which
-  // it stops all cores. Every brick gets distances: write at once.
+  // The system maps memory that is read before it is written to a zero page, and replaces that later while
+  // stopping all cores. Every brick gets distances, so write at once.
   clearPool(compute_, distances_, slots);
   clearPool(compute_, weights_, slots);
   clearPool(compute_, labels_, std::span(used));

@@ -16,8 +16,9 @@
 namespace scantrove {
 namespace {
 
-constexpr std::uint64_t kUnit_bytes = 4096;  // of records in the file: small holes would stay for ever
-constexpr std::uint64_t kStep_bytes = 16ULL << 20U;  // by which the file grows
+constexpr std::uint64_t kUnit_bytes =
+    4096;  // size unit of records, because small holes would never be reused
+constexpr std::uint64_t kStep_bytes = 16ULL << 20U;  // growth step of the file
 
 std::uint64_t wholeUnits(std::uint64_t bytes) {
   return (bytes + kUnit_bytes - 1) / kUnit_bytes * kUnit_bytes;
@@ -88,7 +89,7 @@ Result<std::uint64_t> BrickStore::take(std::uint64_t bytes) {
   }
   if (end_ + bytes > most_bytes_) return fail(writeFailure(ENOSPC));
   if (end_ + bytes > allocated_) {
-    // Space that the file system only promised would be found missing after the bricks have gone.
+    // Without this, missing disk space would show only after the bricks have left memory.
     int failure = 0;
     for (const std::uint64_t step : {std::max(bytes, kStep_bytes), bytes}) {
       failure = ::fallocate(file_, 0, static_cast<off_t>(end_), static_cast<off_t>(step)) == 0 ? 0 : errno;

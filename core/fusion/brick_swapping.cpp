@@ -1,4 +1,4 @@
-// The part of BrickMap that sends pages of bricks to the file and brings them back.
+// The part of BrickMap that moves pages of bricks to the file and back.
 #include <algorithm>
 #include <utility>
 
@@ -16,7 +16,7 @@ void BrickMap::makeRoom(int count) {
     for (int page = 1; page < pages_.count(); ++page) {
       if (pages_.page(page).bricksHere() > 0 && pages_.page(page).last_view < view_) away.push_back(page);
     }
-    // Of those that left together the older ones first: whichever, but always the same.
+    // Among pages that left the view together, the older ones first, for a reproducible order.
     std::ranges::stable_sort(away, {}, [&](int page) { return pages_.page(page).last_view; });
     for (const int page : away) {
       if (roomLeft() >= count || !sendAway(page)) break;

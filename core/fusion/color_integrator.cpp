@@ -14,18 +14,18 @@
 namespace scantrove {
 namespace {
 
-constexpr int kSample_px = 6;           // one pixel in each square of so many is asked which bricks it sees
-constexpr float kColorBand_vox = 1.5F;  // voxels so far from the surface have its colour
-constexpr float kAcross_vox = 2;        // a voxel of the band is so near to the surface of its pixel
+constexpr int kSample_px = 6;           // side of the square with one sampled pixel
+constexpr float kColorBand_vox = 1.5F;  // voxels up to this far from the surface get its colour
+constexpr float kAcross_vox = 2;        // largest distance of such a voxel from its pixel's surface
 constexpr int kWidest_px = 1280;        // of the colour image; voxels are coarser than pixels of a larger one
-constexpr unsigned kTurns = 64;         // a brick has one of these; a large view takes some of them a frame
-constexpr std::size_t kGroup = 8;       // bricks that one work-group does with vectors
+constexpr unsigned kTurns = 64;         // each brick has one turn; a large view takes some turns per frame
+constexpr std::size_t kGroup = 8;       // bricks per work-group, with vectors
 
 constexpr std::size_t cells(int pixels) {
   return static_cast<std::size_t>((pixels + COLOR_CELL - 1) / COLOR_CELL);
 }
 
-/// Of three bytes a pixel without gaps, and no wider than is of use.
+/// A copy with three bytes per pixel without gaps, at most kWidest_px wide.
 cv::Mat compact(const cv::Mat& color) {
   if (color.cols > kWidest_px) {
     cv::Mat small;
@@ -113,9 +113,8 @@ void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
                       kAcross_vox * map.voxelSize(), apart, depths_, ratings_);
 }
 
-// Which pixels are asked changes from frame to frame, so that bricks far away, which are smaller than a
-// square, have their turn too. Nothing here may depend on slots: they are others in a map with another
-// budget.
+// The sampled pixels change from frame to frame, so that distant bricks, smaller than a square, get a turn,
+// too. Nothing here may depend on slots, because these differ with the memory budget.
 void ColorIntegrator::listBricks(const BrickMap& map, const RenderedView& view,
                                  const Eigen::Vector3i& first) {
   host_bricks_.clear();

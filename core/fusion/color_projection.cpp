@@ -10,8 +10,8 @@
 namespace scantrove {
 namespace {
 
-/// A surface this much farther than what the colour camera sees beside it is hidden. Steep surfaces change
-/// by less from pixel to pixel.
+/// Depth ratio to the nearest surface in the colour camera from which a surface is hidden. Steep surfaces
+/// change less from pixel to pixel.
 constexpr float kHidingStep = 1.05F;
 
 cv::Mat evenPlaces(int width, int height) {
@@ -34,7 +34,7 @@ Eigen::Matrix3f toPlaces(const Intrinsics& K) {
   return matrix;
 }
 
-/// Outside the image, and no farther away than arithmetic on pixels bears.
+/// The place of a point, clamped so that arithmetic on pixels does not overflow.
 cv::Vec2f placeOf(const Eigen::Vector3f& p) {
   if (p.z() < kNearestView_m) return {-1, -1};
   const float per_depth = 1 / p.z();
@@ -64,7 +64,7 @@ void markHidden(SurfaceInColor& seen, const cv::Mat& depths_m) {
       cell = std::min(cell, row[u]);
     }
   }
-  cv::morphologyEx(nearest, nearest, cv::MORPH_OPEN, {});  // fills cells that lie between a surface's pixels
+  cv::morphologyEx(nearest, nearest, cv::MORPH_OPEN, {});  // fills cells between a surface's pixels
   cv::parallel_for_({0, size.height}, [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v) {
       const auto* places = seen.places.ptr<cv::Vec2f>(v);

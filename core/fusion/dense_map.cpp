@@ -38,7 +38,7 @@ void DenseMap::integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_w
 void DenseMap::settle() {
   const std::vector<Eigen::Vector3i> empty = integrator_.takeEmptyBricks();
   if (empty.empty()) return;
-  bricks_.beginFrame({});  // a view of its own: who keeps what changed learns of it
+  bricks_.beginFrame({});  // a separate view, so that the changes are stored
   bricks_.deactivate(empty);
 }
 

@@ -10,7 +10,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kGroupBricks = 8;  // bricks that one work-group of integrate_bricks does with vectors
+constexpr std::size_t kGroupBricks = 8;  // bricks per work-group of integrate_bricks, with vectors
 
 constexpr std::size_t depthTiles(int pixels) { return static_cast<std::size_t>(DEPTH_TILES(pixels)); }
 

@@ -13,11 +13,11 @@
 namespace scantrove {
 namespace {
 
-/// Of the pyramid: the level that is looked at. A hand 3 m away is some pixels wide there.
+/// The pyramid level used. A hand 3 m away is some pixels wide there.
 constexpr std::size_t kLevel = 1;
 /// Fewer pixels are noise.
 constexpr int kFewestPixels = 12;
-/// Surface is settled after so many observations; where more than this part of it is not, all of it counts.
+/// Surface is settled after kSettled observations. If more than kMaxFresh of it is not, all of it counts.
 constexpr cl_int kSettled = 4;
 constexpr double kMaxFresh = 0.3;
 
@@ -32,7 +32,7 @@ DepthView viewOf(ComputeContext& compute, const DepthPyramid& frame,
   return view;
 }
 
-/// Empty when there is hardly anything in it.
+/// The mask, or an empty one if it has under kFewestPixels pixels.
 cv::Mat orNone(cv::Mat mask) { return cv::countNonZero(mask) < kFewestPixels ? cv::Mat() : std::move(mask); }
 
 cl::NDRange pixelsOf(const Intrinsics& K) {

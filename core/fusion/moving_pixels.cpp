@@ -13,7 +13,7 @@ namespace {
 /// Neighbouring readings of one patch differ by less than this, in metres: base + slope z.
 constexpr float kStep_m = 0.02F;
 constexpr float kStepSlope = 0.02F;
-/// A patch moves when this part of it intrudes, and so many pixels.
+/// A patch moves if at least this part of it, and this many pixels, intrude.
 constexpr double kIntrudingPart = 0.03;
 constexpr std::size_t kIntrudingPixels = 12;
 
@@ -36,7 +36,7 @@ cv::Mat movingPixels(const cv::Mat& intruding, const cv::Mat& consistencies, con
   cv::Mat is_done = cv::Mat::zeros(z_m.size(), CV_8UC1);
   std::vector<cv::Point> patch;
   const cv::Rect image({}, z_m.size());
-  // Patches are found from their intruding pixels: without one there is none.
+  // Patches grow from intruding pixels; without any there is none.
   for (int v = 0; v < z_m.rows; ++v) {
     for (int u = 0; u < z_m.cols; ++u) {
       if (moving.at<std::uint8_t>(v, u) == 0 || is_done.at<std::uint8_t>(v, u) != 0) continue;

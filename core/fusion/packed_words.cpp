@@ -14,7 +14,7 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
-/// Of what does not shrink, as the lowest bytes of distances, LZ4 skips more at once.
+/// LZ4 skips faster over incompressible data, such as the lowest bytes of distances.
 constexpr int kAcceleration = 8;
 
 /// The first byte of every word, then the second, ...
@@ -22,7 +22,7 @@ std::vector<char> toPlanes(std::span<const std::uint32_t> words) {
   static_assert(std::endian::native == std::endian::little);
   const int count = static_cast<int>(words.size());
   std::vector<char> planes(words.size_bytes());
-  // OpenCV only reads what it is told to split.
+  // OpenCV's split only reads its input.
   const cv::Mat whole(1, count, CV_8UC4, const_cast<std::uint32_t*>(words.data()));
   std::array<cv::Mat, kWordBytes> parts;
   for (std::size_t byte = 0; byte < kWordBytes; ++byte)

@@ -7,13 +7,13 @@
 namespace scantrove {
 namespace {
 
-// Of a place, in one word.
+// A cell in one word.
 constexpr std::uint32_t kCellBits = 0xffU;
 constexpr std::uint32_t kIsBrick = 0x100U;
 constexpr std::uint32_t kIsInactive = 0x200U;
 constexpr std::size_t kWordsOfVoxel = 3;  // distance and weight, label, colour
 
-// Weights are kept in 1/256 observations.
+// Weights are stored in 1/256 observations.
 constexpr unsigned kWeightShift = 24;
 
 std::uint32_t wordOf(cl_short distance, cl_uchar weight) {

@@ -19,8 +19,8 @@ namespace {
 using Vertex = SurfaceMesh::Vertex;
 
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-/// Vertices stay so far, in voxels, from the ends of their grid edges: triangles that share such an end do
-/// not shrink to nothing.
+/// Minimum distance of vertices from the ends of their grid edges, in voxels, so that triangles around such
+/// an end do not degenerate.
 constexpr float kFromEnd_vox = 1.0F / 64;
 constexpr int kEdgesSide = VoxelBlock::kPageVoxels + 1;
 constexpr std::size_t kBlockEdges = std::size_t{3} * kEdgesSide * kEdgesSide * kEdgesSide;
@@ -38,7 +38,7 @@ struct GridEdgeHash {
   }
 };
 
-/// One page after the other into one mesh.
+/// Builds one mesh page by page.
 class PageMesher {
  public:
   PageMesher(float voxel_size_m, SurfaceMesh& mesh)
@@ -56,12 +56,12 @@ class PageMesher {
  private:
   void addBrick(int brick);
   void addCell(const Eigen::Vector3i& first, std::size_t at);
-  /// Number of the vertex on an edge that starts at a voxel counted from the page's first.
+  /// Index of the vertex on an edge that starts at a voxel, relative to the page's first.
   std::uint32_t vertexOn(const Eigen::Vector3i& start, int axis);
   [[nodiscard]] Vertex makeVertex(const Eigen::Vector3i& start, int axis) const;
   [[nodiscard]] Eigen::Vector3f gradientAt(std::size_t at) const;
-  /// Place of the voxel nearest to a point (voxels from the page's first) of those around `centre` with a
-  /// `value` other than 0; none: `centre`'s.
+  /// Index of the voxel nearest to a point (voxels from the page's first) among those around `centre` with a
+  /// non-zero `value`; that of `centre` if there is none.
   template <class Value>
   [[nodiscard]] std::size_t nearestWith(const Value& value, const Eigen::Vector3i& center,
                                         const Eigen::Vector3f& point) const;
@@ -70,7 +70,7 @@ class PageMesher {
   SurfaceMesh& mesh_;
   VoxelBlock block_;
   std::vector<std::uint32_t> vertex_of_edge_;  ///< of the page
-  /// Of the edges that cells of several pages share.
+  /// Vertices of edges shared by cells of several pages.
   std::unordered_map<GridEdge, std::uint32_t, GridEdgeHash> shared_;
 };
 

@@ -20,14 +20,13 @@ std::vector<int> nearest(int source, int size) {
   return result;
 }
 
-constexpr int kSearch_px = 3;  // the band that a raycast misses along depth edges is up to 3 pixels wide
-constexpr float kSameDepth_m = 0.02F;  // beyond it (times z^2 from 1 m on) a surface is another one
-constexpr float kDepthPerPixel_m =
-    0.004F;  // so much difference in depth weighs as much as one pixel of distance
-// The place of a pixel lies up to half a pixel aside and half a pixel below the nearest one: the half of a
-// diagonal, rounded up.
+constexpr int kSearch_px = 3;               // raycasts miss a band of up to 3 pixels along depth edges
+constexpr float kSameDepth_m = 0.02F;       // beyond it (times z^2 from 1 m on) it is another surface
+constexpr float kDepthPerPixel_m = 0.004F;  // depth difference that equals one pixel of distance
+// A pixel's exact position is up to half a pixel from the nearest one in x and y: half of a diagonal, rounded
+// up.
 constexpr float kHalfDiagonal_px = 0.7072F;
-constexpr float kRounding = 1.0001F;  // so much more than a bound is certainly beyond it
+constexpr float kRounding = 1.0001F;  // factor by which a distance certainly exceeds a bound
 
 }  // namespace
 
@@ -86,13 +85,13 @@ std::int32_t DepthUpsampler::closest(int u, int v, const Usable& is_usable) cons
     if (!is_inside && (x < 0 || y < 0 || x >= width_ || y >= height_)) continue;
     const int source = y * width_ + x;
     const float step_m = std::abs(depths_m_[static_cast<std::size_t>(source)] - z);
-    // What cannot win need not be weighed exactly.
+    // Pixels that cannot be the closest need no exact distance.
     const float most_m = std::min(kSameDepth_m, (best - offset.least_distance_px) * kDepthPerPixel_m);
     if (step_m > kRounding * most_m * grow) continue;
     if (!(step_m / grow < kSameDepth_m) || !is_usable(static_cast<std::size_t>(source))) continue;
     const float cost = std::hypot(static_cast<float>(x) - x_exact, static_cast<float>(y) - y_exact) +
                        step_m / grow / kDepthPerPixel_m;
-    // Of equals the first one, row by row.
+    // Among equal ones the first, row by row.
     if (cost < best || (cost == best && source < best_source)) {
       best = cost;
       best_source = source;
@@ -109,7 +108,7 @@ std::vector<Id> DepthUpsampler::apply(std::span<const Id> ids) const {
     std::int32_t source = closest_[target];
     if (source == kNone) continue;
     if (ids[static_cast<std::size_t>(source)] == Id{} && guide_.depth[target] != 0) {
-      // A surface without id: the closest of those that have one.
+      // A surface without id takes the closest id.
       const auto u = static_cast<int>(target % static_cast<std::size_t>(guide_.width));
       const auto v = static_cast<int>(target / static_cast<std::size_t>(guide_.width));
       source = closest(u, v, [&](std::size_t pixel) { return ids[pixel] != Id{}; });
