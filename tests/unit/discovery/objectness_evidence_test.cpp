@@ -40,7 +40,7 @@ TEST(ObjectnessEvidence, WeighsSizesByTheLongestSide) {
   EXPECT_FLOAT_EQ(feature("shortest_by_longest_side", evidence), 0.09F / 0.13F);
 }
 
-TEST(ObjectnessEvidence, JoiningOddsAreCertain_WhereItIsOneRegion) {
+TEST(ObjectnessEvidence, JoiningOddsAreCertain_WhenItIsOneRegion) {
   ObjectnessEvidence evidence = mug();
   evidence.odds = -1.5F;
   EXPECT_FLOAT_EQ(feature("joining_log_odds", evidence), 4);
@@ -65,7 +65,7 @@ TEST(ObjectnessEvidence, ColorFeaturesAreUnknown_WithoutColor) {
   }
 }
 
-TEST(ObjectnessEvidence, IsMoreLikely_WhereColorsAroundDiffer) {
+TEST(ObjectnessEvidence, IsMoreLikely_WhenSurroundingColorsDiffer) {
   ObjectnessEvidence evidence = mug();
   evidence.likeness =
       ColorLikeness{.neighbor = 0.9F, .touching = 0.8F, .end_to_end = 0.7F, .side_to_side = 0.6F};
@@ -75,14 +75,14 @@ TEST(ObjectnessEvidence, IsMoreLikely_WhereColorsAroundDiffer) {
   EXPECT_GT(evidence.logOdds(), like_all_around);
 }
 
-TEST(ObjectnessEvidence, WeighsHowWellTheOutlineIsBounded) {
+TEST(ObjectnessEvidence, BoundsAreFeatures) {
   ObjectnessEvidence evidence = mug();
   evidence.bounds = {.mean = 0.9F, .least_side = 0.7F};
   EXPECT_EQ(feature("bounds_mean", evidence), 0.9F);
   EXPECT_EQ(feature("bounds_weakest_side", evidence), 0.7F);
 }
 
-TEST(ObjectnessEvidence, IsLessLikely_WhereABooksSpineHasNoBounds) {
+TEST(ObjectnessEvidence, IsLessLikely_WhenABooksSpineHasNoBounds) {
   // What bulges and stands free is clear anyway.
   ObjectnessEvidence evidence = mug();
   evidence.open = 0.15F;
@@ -95,20 +95,20 @@ TEST(ObjectnessEvidence, IsLessLikely_WhereABooksSpineHasNoBounds) {
   EXPECT_LT(evidence.logOdds(), bounded - 0.5F) << "a piece of something";
 }
 
-TEST(ObjectnessEvidence, OutwardOddsCountUpToWhatIsCertain) {
+TEST(ObjectnessEvidence, OutwardOddsAreLimited) {
   ObjectnessEvidence part = mug();
   EXPECT_EQ(feature("outward_log_odds", part), OutwardOdds::kMin) << "it touches nothing";
   part.outward_odds = 9;
   EXPECT_FLOAT_EQ(feature("outward_log_odds", part), 4);
 }
 
-TEST(ObjectnessEvidence, HasFiniteOdds_WhereNothingIsKnown) {
+TEST(ObjectnessEvidence, OddsAreFinite_WithoutEvidence) {
   EXPECT_TRUE(std::isfinite(ObjectnessEvidence{}.logOdds()));
   for (const Feature<ObjectnessEvidence>& of : kObjectnessFeatures)
     EXPECT_FALSE(std::isinf(of.of({}))) << of.name;
 }
 
-TEST(ObjectnessEvidence, AcceptsAMugAndRefusesAPatchOfTheWall) {
+TEST(ObjectnessEvidence, AcceptsAMugAndRejectsAPatchOfTheWall) {
   EXPECT_GT(mug().logOdds(), 1.5F);
   ObjectnessEvidence patch = mug();
   patch.open = 0.1F;
@@ -120,7 +120,7 @@ TEST(ObjectnessEvidence, AcceptsAMugAndRefusesAPatchOfTheWall) {
   EXPECT_LT(patch.logOdds(), -1.5F);
 }
 
-TEST(ObjectnessEvidence, IsLessLikely_WhereRegionsHardlyHoldTogether) {
+TEST(ObjectnessEvidence, IsLessLikely_WhenRegionsHardlyJoin) {
   ObjectnessEvidence set = mug();
   set.largest_part = 0.5F;
   set.odds = -2.9F;

@@ -252,7 +252,7 @@ TEST(RuleBasedFinder, RejectsBackgroundSeenThroughAGap) {
   EXPECT_THAT(findAfter(scene, testParams(), 6), ElementsAre(7U));
 }
 
-TEST(RuleBasedFinder, WholeIsWhatWasSeenFromTwoSidesOrForLong) {
+TEST(RuleBasedFinder, CandidateIsComplete_WhenSeenFromTwoSidesOrForLong) {
   DiscoveryParams params = testParams();
   params.complete_observations = 3;
   params.still_frames = 20;
@@ -279,7 +279,7 @@ TEST(RuleBasedFinder, WholeIsWhatWasSeenFromTwoSidesOrForLong) {
   EXPECT_FALSE(is_complete_after(6, 10)) << "seldom";
 }
 
-TEST(RuleBasedFinder, APatchOfALargerPlaneIsNeverWhole) {
+TEST(RuleBasedFinder, PatchOfALargerPlaneIsNeverComplete) {
   PaintedScene scene;
   scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 2.0F; });  // of the wall
   DiscoveryParams params = testParams();
@@ -298,7 +298,7 @@ TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {
   EXPECT_THAT(findAfter(scene, testParams(), 5), IsEmpty());
 }
 
-TEST(RuleBasedFinder, WhatCameForTheMostPartHasCome) {
+TEST(RuleBasedFinder, CandidateHasAppeared_WhenMostOfItsPixelsHave) {
   PaintedScene scene;
   const cv::Rect box(60, 45, 30, 30);
   scene.paintBump(2, box, 1);
