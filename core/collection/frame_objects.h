@@ -28,7 +28,6 @@ struct FrameObjects {
   std::vector<NamedObject> named;   ///< by a user who named a region; stored
   /// The catalogue could not be read or written. Reported once until it works again; the scan goes on, and
   /// unstored data waits.
-  /// could not be stored waits.
   std::optional<Error> catalogue_failure;
 };
 

@@ -18,13 +18,11 @@ struct CatalogueExportSummary {
 };
 
 /// Writes the views of all objects of a catalogue to `folder`, atomically like exportDataset():
-/// exportDataset() does it:
 ///     objects.json                  [{id, name, folder, views, confirmed, ...}]
 ///     ID_NAME/VIEW.color.png        crop of the colour image
 ///     ID_NAME/VIEW.mask.png         255 = of the object
 ///     ID_NAME/VIEW.depth.png        16 bits, millimetres, 0 = none
-///     ID_NAME/VIEW.json             pose (depth camera to world, metres), direction, box, camera, camera of
-///     the crop
+///     ID_NAME/VIEW.json             pose (depth camera to world, metres), direction, box, cameras
 /// The catalogue is only read. `progress` is called, and `cancel` checked, before each object. Error: no
 /// such catalogue, no objects, a folder that is not empty, a full disk, cancelled, ...
 [[nodiscard]] Result<CatalogueExportSummary> exportCatalogue(const std::string& database,

@@ -49,7 +49,6 @@ class FrameLabelWriter {
   /// Waits for all frames, then writes each frame's labels from the finished map, whose regions and voxels
   /// have changed since. `look` is called on this thread. No add() afterwards. Error: the first file that
   /// could not be written.
-  /// file that could not be written.
   [[nodiscard]] Result<void> finish(const RenderView& look);
 
   /// Waits for all frames, then removes the written images. No add() afterwards.

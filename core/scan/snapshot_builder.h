@@ -74,7 +74,6 @@ class SnapshotBuilder {
 
   /// Posts a snapshot at once, with all waiting bricks: at a pause, a step, the end. Error: the device
   /// failed.
-  /// Error: the device failed.
   [[nodiscard]] Result<void> flush(MappingPipeline& pipeline, const ScanProgress& progress);
 
  private:

@@ -59,7 +59,6 @@ Result<void> MapFiles::read(DatabaseConnection& database, std::vector<std::strin
                         static_cast<std::uint64_t>(number(7))};
     // A damaged row may name any file. Existing files stay open, so their pages remain readable even if
     // they are renamed.
-    // becomes of their names.
     if (number(3) > last_number_ && fileToRead(number(3))) appended_ = last_number_ = number(3);
     static_cast<void>(fileToRead(number(3)));
   }

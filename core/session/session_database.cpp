@@ -99,7 +99,6 @@ bool SessionDatabase::isLogTaken() const {
 
 void SessionDatabase::disconnect() {
   // SQLite removes log and index by name when it closes; these may belong to another session by now.
-  // now.
   if (isLogTaken()) {
     static_cast<void>(connection_.release());  // stays open until the program ends
     return;
