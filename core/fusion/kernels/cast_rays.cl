@@ -3,7 +3,7 @@
 
 // The depth at which each pixel's ray first goes from + to - in the signed distance: steps through the nearest voxels, as long
 // as their distance and a little more, find the pair of samples around it; then secant steps in the trilinear field find its zero.
-// A ray that comes from - to + first has met a surface from behind and sees none.
+// A ray with a change from - to + first hits a surface from behind and gets none.
 //
 // One work-item: RAY_BLOCKS(LANES) blocks of LANES_X * LANES_Y pixels, side by side: while the voxels of one come from memory,
 // which takes most of the time, the next is looked at.
@@ -45,7 +45,7 @@ inline floatN leave_cube(const float o, const floatN d, const floatN inverse_d, 
   return (face - o) * inverse_d;
 }
 
-// 1 / d, or so much that the ray never leaves along this axis.
+// 1 / d, or a value so large that the ray never leaves along this axis.
 inline floatN inverse_of(const floatN d) { return fabs(d) > 1e-6f ? 1.0f / d : (d > 0.0f ? 1e6f : -1e6f); }
 
 inline Rays begin_rays(const float2 range, const int u, const int v, const int width, const int height, const float4 K,

@@ -1,6 +1,6 @@
-// What is seen through has gone: takes the weight from it, so that the next frames decide.
-// A pixel under the mask, whose reading lies behind the map's surface by more than apart_m: all voxels next to the ray within
-// reach of that surface keep a weight of DOUBTED at most.
+// Surface with readings behind it has gone: lowers its weight, so that the next frames decide.
+// For each pixel under the mask with a reading behind the map's surface by more than apart_m, all voxels next to the ray within
+// reach of that surface keep a weight of at most DOUBTED.
 // One work-item: one pixel of the surface, which is as large as the launch. Work-items may meet in a voxel; all write the same.
 //   mask         mask_width * mask_height, as in leave_out_moving
 //   readings     camera frame, w = 0: none; vertices: world, w = 0: no surface

@@ -1,5 +1,5 @@
-// Normals of the surface that has been seen at least `settled` times at its voxel; elsewhere all 0. counts: pixels
-// with surface that has not, and with surface; both are added to.
+// Normals of surface with at least `settled` observations at its voxel; elsewhere all 0. counts: adds the pixels with fresh
+// surface, and with any surface.
 // One work-item: LANES pixels. vertices: world, w = 0: no surface. cells, page_slots, window_size: the view's window
 // (brick_page.h); first: the brick at which it starts. weights: BRICK_VOXELS a slot.
 #include "core/fusion/kernels/brick_field.clh"

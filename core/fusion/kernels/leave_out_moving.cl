@@ -1,4 +1,4 @@
-// Leaves out what lies under a mask of another size. The mask's pixel of (x, y) in an image of width * height is
+// Removes the pixels under a mask of another size. The mask's pixel of (x, y) in an image of width * height is
 //   (floor(x mask_width / width), floor(y mask_height / height)); where it is not 0 there is nothing.
 // One work-item: one pixel of the image, which is as large as the launch. mask: mask_width * mask_height.
 

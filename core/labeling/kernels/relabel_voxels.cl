@@ -1,8 +1,8 @@
-// Voxels are given to another fragment, for sure; those without label or brick stay as they are.
+// Sets voxels to a fragment with full confidence. Voxels without label or brick stay as they are.
 // One work-item: one voxel.
 //   listed    voxels x, y, z (brick_layout.h), each once
 //   labels    slots x 512 label voxels
-//   fragment_voxels  how many voxels hold each fragment
+//   fragment_voxels  number of voxels of each fragment
 #include "core/fusion/kernels/brick_lookup.clh"
 #include "core/labeling/kernels/label_voxel.h"
 

@@ -1,12 +1,11 @@
-// Label cloud update (thesis, Algorithms 1 and 2), turned inside out. The algorithm visits every voxel of space:
+// Label cloud update (thesis, Algorithms 1 and 2), pixel by pixel. The algorithm visits every voxel of space:
 //   v_g = (voxel + 0.5) * voxel_size, seen in pixel u = floor(K (T_camera_world v_g) + 0.5) with depth > 0;
 //   where |V_t(u) - v_g| < reach and S_cloud,t(u) != 0 the voxel takes S_cloud,t(u).
-// A voxel is seen in one pixel at most, and only voxels within reach of that pixel's vertex are written: so visit those from
-// the pixel, and write those that are seen in it. The result is the same, and no voxel is written twice.
-// With confidence: a voxel that holds the same fragment gains one (up to the cap), one of another loses one and
-// changes at zero, or at once where LABEL_AT_ONCE says so; without: it is overwritten.
-// A voxel whose brick does not exist is told of and left for another run, with only_new: once its brick has been made, it
-// alone takes its label then.
+// A voxel is seen in at most one pixel, and only voxels within reach of that pixel's vertex are written. So each pixel visits the
+// voxels around its vertex and writes those seen in it. The result is the same, and no voxel is written twice.
+// With confidence: a voxel of the same fragment gains one (up to the cap); one of another fragment loses one and changes at
+// zero, or at once with LABEL_AT_ONCE. Without: it is overwritten.
+// A voxel in a missing brick is listed. Once the brick exists, another run with only_new writes only such voxels.
 // One work-item: LANES of the listed pixels.
 //   vertices         pixels of the view x float4, world, w = 0: no surface
 //   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts. Bricks in it are found fast
@@ -34,7 +33,7 @@ inline uintN changed_voxels(const uintN voxel, const uintN new_label, const int 
   return held == label ? surer : less_sure;
 }
 
-// Voxels that have been found to take a label, until there are so many of them: they are looked up LANES at a time.
+// Voxels that wait for a label; they are looked up LANES at a time.
 #define MOST_WAITING 64
 typedef struct {
   int count;
@@ -42,7 +41,7 @@ typedef struct {
   uint labels[MOST_WAITING];                             /* with LABEL_AT_ONCE */
 } WaitingVoxels;
 
-// Where labels are, and what is told of those that change.
+// The labels, and the lists of changes.
 typedef struct {
   Field field;
   int4 first;
@@ -58,7 +57,7 @@ typedef struct {
   int stamp;
 } Cloud;
 
-// The slots of voxels of lanes beyond the window, where the brick exists; others are told of.
+// The slots of voxels in lanes beyond the window, if the brick exists; other bricks are listed as missing.
 inline void find_beyond_window(const Cloud* cloud, const WaitingVoxels* waiting, const int from, int* slots) {
   KnownBrick known = no_brick_known();
   for (int lane = 0; lane < min(LANES, waiting->count - from); ++lane) {
@@ -77,7 +76,7 @@ inline void find_beyond_window(const Cloud* cloud, const WaitingVoxels* waiting,
   }
 }
 
-// What the lanes' voxels hold, and where.
+// The labels of the lanes' voxels, and their places.
 typedef struct {
   intN active, slot, place, stamped;
   uintN before;
@@ -139,7 +138,7 @@ inline void change(const Cloud* cloud, const Held* held, const uintN label, cons
   }
 }
 
-// All are looked up before any is changed, so that the memory is waited for once.
+// All voxels are read before any is written, so that the kernel waits for memory once.
 inline void change_waiting(const Cloud* cloud, WaitingVoxels* waiting, const int use_confidence, const int only_new) {
   Held held[MOST_WAITING / LANES];
 #pragma unroll
