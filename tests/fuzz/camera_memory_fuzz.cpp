@@ -64,7 +64,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!words.empty()) std::memcpy(words.data(), data, words.size() * sizeof(std::uint32_t));
   const auto memory = cameraMemoryFrom(words);
   if (!memory) return 0;
-  test::require(test::isUsable(memory->view.K) && test::isRigid(memory->view.T_world_camera), "a camera can be used");
+  test::require(test::isUsable(memory->view.K) && test::isRigid(memory->view.T_world_camera),
+                "a camera can be used");
   for (const FreeSpace::Witness& witness : memory->free_space.witnesses)
     test::require(test::isUsable(witness.K) && test::isRigid(witness.T_camera_world), "so can a witness");
   if (!memory->tracker) return 0;

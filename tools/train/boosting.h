@@ -18,9 +18,9 @@ struct BoostingParams {
   int trees = 300;
   int levels = 5;
   double learning_rate = 0.1;
-  double ridge = 5;           ///< on each leaf
+  double ridge = 5;         ///< on each leaf
   double min_hessian = 10;  ///< of a leaf
-  double feature_part = 1;    ///< that each tree may use, drawn at random
+  double feature_part = 1;  ///< that each tree may use, drawn at random
   /// By feature: 1 where more of it must never make a yes less likely, -1 never more likely, 0 either.
   std::vector<int> directions = {};
 };

@@ -189,8 +189,8 @@ void MainWindow::connectRegions() {
   connect(controller_, &ScanController::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
   const RegionActions& on_regions = regions_->actions();
-  auto* proposals =
-      new ProposalBar(regions_->operations().proposals(), on_regions.accept, on_regions.accept_all, on_regions.not_this);
+  auto* proposals = new ProposalBar(regions_->operations().proposals(), on_regions.accept,
+                                    on_regions.accept_all, on_regions.not_this);
   centralWidget()->layout()->addWidget(proposals);
   regions_->setKnownNames([this] {
     QStringList names;

@@ -31,7 +31,8 @@ class ForeignResults : public ScanWorkerTest {
     const fs::path file = folder_.write("scan/" + name, "a person's");
     const fs::path named = file.parent_path().filename() == "scan" ? file : file.parent_path();
     EXPECT_EQ(scan(into, true, label_maps), ScanState::failed) << name;
-    EXPECT_THAT(log_.all<ScanFailed>().back().error.message(), HasSubstr(named.string() + " is not part of an earlier scan"));
+    EXPECT_THAT(log_.all<ScanFailed>().back().error.message(),
+                HasSubstr(named.string() + " is not part of an earlier scan"));
     EXPECT_EQ(readText(file), "a person's");
     fs::remove(file);
   }

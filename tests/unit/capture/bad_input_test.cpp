@@ -62,7 +62,8 @@ TEST(BadInput, ListsExpectedFiles_WhenTheFolderIsEmpty) {
 TEST(BadInput, ListsExpectedFiles_WhenTheFolderHoldsOthers) {
   const TemporaryFolder folder;
   folder.write("notes.md", "hello");
-  EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("not a recording in a supported format"), HasSubstr("7-Scenes")));
+  EXPECT_THAT(openError(folder.path()),
+              AllOf(HasSubstr("not a recording in a supported format"), HasSubstr("7-Scenes")));
 }
 
 TEST(BadInput, RefusesAFile_WhenItsKindIsUnknown) {
