@@ -53,14 +53,14 @@ void MainMenus::makeMenus() {
   file->addSeparator();
   file->addActions({actions.close_scan, actions.quit});
 
+  window_.menuBar()->addMenu(tr("&Edit"))->addActions({actions.undo, actions.redo});
+
   QMenu* scan = window_.menuBar()->addMenu(tr("&Scan"));
   scan->addActions({actions.start, actions.pause, actions.step, actions.stop});
   scan->addSeparator();
   scan->addActions({actions.refine, actions.skip_refinement});
 
   const ObjectPanel::Actions& objects = parts_.objects->actions();
-  window_.menuBar()->addMenu(tr("&Edit"))->addActions({actions.undo, actions.redo});
-
   QMenu* object_menu = window_.menuBar()->addMenu(tr("&Objects"));
   object_menu->addActions({objects.rename, objects.confirm, objects.merge, objects.remove});
   connect(object_menu, &QMenu::aboutToHide, parts_.objects, &ObjectPanel::updateActions,
