@@ -40,7 +40,7 @@ class MotionFilter {
   [[nodiscard]] FreeSpace& freeSpace() { return free_space_; }
 
   /// The objects that came to rest.
-  [[nodiscard]] AppearedObjects& appeared_objects() { return appeared_objects_; }
+  [[nodiscard]] AppearedObjects& appearedObjects() { return appeared_objects_; }
 
   /// AppearedObjects::atRest() of the last frame; smaller than the frame.
   [[nodiscard]] const cv::Mat& appeared() const { return appeared_; }

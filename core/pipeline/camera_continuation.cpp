@@ -40,14 +40,14 @@ void CameraContinuation::addKeyFrame(const RgbdFrame& frame, const Eigen::Isomet
   if (tracker == nullptr) return;
   const DepthPyramid& depth = tracking_.prepare(frame);
   tracking_.setK(depth.levels.front().K);
-  fusion_.raycast(T_world_camera, tracking_.K());
+  fusion_.raycast(T_world_camera, tracking_.intrinsics());
   tracker->addKeyFrame(frame, depth, fusion_.surface());
 }
 
 void CameraContinuation::relocalizeNear(const Eigen::Isometry3d& T_world_camera) {
   PoseTracker* tracker = tracking_.tracker();
   if (tracker == nullptr) return;
-  fusion_.raycast(T_world_camera, tracking_.K());
+  fusion_.raycast(T_world_camera, tracking_.intrinsics());
   tracking_.follow(fusion_.surface());
   tracker->resumeAt(T_world_camera);
 }

@@ -56,7 +56,7 @@ class FrameTracking {
   [[nodiscard]] std::vector<LateFrame> reconsider(const Integrate& integrate);
 
   /// Of the working depth.
-  [[nodiscard]] const Intrinsics& K() const { return K_; }
+  [[nodiscard]] const Intrinsics& intrinsics() const { return K_; }
   void setK(const Intrinsics& K) { K_ = K; }
   [[nodiscard]] const DepthPyramid& prepare(const RgbdFrame& frame) { return preprocessor_->process(frame); }
   /// Null: poses are given.

@@ -45,7 +45,7 @@ std::span<const std::uint8_t> MapFusion::newlyAppeared() {
 
 void MapFusion::save(CameraMemory& memory) {
   memory.free_space = motion_->freeSpace().memory();
-  memory.appeared_objects = motion_->appeared_objects().memory();
+  memory.appeared_objects = motion_->appearedObjects().memory();
   memory.color_turns = color_->turns();
   memory.view = readView(compute_, surface_);
 }
@@ -55,7 +55,7 @@ void MapFusion::restore(CameraMemory& memory) {
   writeView(compute_, memory.view, surface_);
   known_ = KnownSurface(memory.view);
   motion_->freeSpace().restoreState(std::move(memory.free_space));
-  motion_->appeared_objects().restoreState(std::move(memory.appeared_objects));
+  motion_->appearedObjects().restoreState(std::move(memory.appeared_objects));
   color_->restoreState(memory.color_turns);
 }
 

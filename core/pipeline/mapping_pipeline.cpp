@@ -66,7 +66,7 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   has_pose_ = result.pose.usable();
   if (!has_pose_) return result;
   const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
-  const Intrinsics& K = tracking_->K();
+  const Intrinsics& K = tracking_->intrinsics();
   const SurfaceMaps& surface = fusion_->surface();
 
   fusion_->integrate(depth, T_world_camera);
@@ -182,7 +182,7 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
 
 Intrinsics MappingPipeline::closeCamera(const cv::Size& depth) const {
   constexpr int kCloser = 2;
-  const Intrinsics& K = tracking_->K();
+  const Intrinsics& K = tracking_->intrinsics();
   const int width = std::min(depth.width, kCloser * K.width);
   if (width <= K.width) return K;
   return K.resizedTo(width, (width * K.height + K.width / 2) / K.width);
@@ -207,7 +207,7 @@ Result<SegmentMap> MappingPipeline::segmentMapFrom(const Eigen::Isometry3d& T_wo
                                                    const SegmentationParams& params) {
   return guarded("segmenting a view of the map", [&]() -> Result<SegmentMap> {
     SurfaceMaps surface;
-    fusion_->map().raycast(T_world_camera, tracking_->K(), surface);
+    fusion_->map().raycast(T_world_camera, tracking_->intrinsics(), surface);
     return segmenter_->segment(surface, params);
   });
 }

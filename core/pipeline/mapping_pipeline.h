@@ -83,7 +83,7 @@ class MappingPipeline {
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
   [[nodiscard]] StageTimer& timer() { return timer_; }
   /// Of the working views.
-  [[nodiscard]] const Intrinsics& workingIntrinsics() const { return tracking_->K(); }
+  [[nodiscard]] const Intrinsics& workingIntrinsics() const { return tracking_->intrinsics(); }
   /// Bricks whose labels the last frame may have changed.
   [[nodiscard]] std::span<const Eigen::Vector3i> touchedBricks() const { return touched_; }
 

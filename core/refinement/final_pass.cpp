@@ -141,7 +141,7 @@ Result<bool> FinalPass::rate() {
       return {};
     });
   };
-  const Result<bool> is_done = forEachKeyFrame(allKeyFrames(), rateFrame);
+  Result<bool> is_done = forEachKeyFrame(allKeyFrames(), rateFrame);
   if (!is_done || !*is_done) return is_done;
   if (finer_judge) {
     std::vector<RegionSet> parts;
@@ -191,7 +191,7 @@ Result<bool> FinalPass::complete() {
   std::vector<const KeyFrame*> keys = allKeyFrames();
   std::erase_if(keys,
                 [&](const KeyFrame* key) { return !std::ranges::binary_search(needed, key->frame_index); });
-  const Result<bool> is_done = forEachKeyFrame(
+  Result<bool> is_done = forEachKeyFrame(
       keys, [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) { return collectFrom(frame, T); });
   if (is_done && *is_done) collector_.endRefinement();
   return is_done;
