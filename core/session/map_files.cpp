@@ -94,7 +94,7 @@ Result<RecordFile*> MapFiles::fileToRead(std::int64_t number) {
 
 Result<RecordFile*> MapFiles::fileToAppend(DatabaseConnection& database) {
   if (appended_) {
-    const Result<RecordFile*> last = fileToRead(*appended_);
+    Result<RecordFile*> last = fileToRead(*appended_);
     if (!last || (*last)->size() <= kLargestFile_bytes) return last;
   }
   for (;;) {
