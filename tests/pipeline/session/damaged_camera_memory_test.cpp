@@ -45,11 +45,13 @@ class DamagedCameraMemory : public ScanWorkerTest {
 
 TEST_F(DamagedCameraMemory, IsNotMentioned_WhenItIsWhole) { EXPECT_TRUE(resumeAfter("").empty()); }
 
-TEST_F(DamagedCameraMemory, IsSaidOnce_WhenItsBytesChanged) {
+TEST_F(DamagedCameraMemory, IsReportedOnce_WhenItsBytesChanged) {
   expectOneSentence(resumeAfter("UPDATE camera SET packed = zeroblob(40)"));
 }
 
-TEST_F(DamagedCameraMemory, IsSaidOnce_WhenItIsGone) { expectOneSentence(resumeAfter("DELETE FROM camera")); }
+TEST_F(DamagedCameraMemory, IsReportedOnce_WhenItIsMissing) {
+  expectOneSentence(resumeAfter("DELETE FROM camera"));
+}
 
 }  // namespace
 }  // namespace scantrove::test

@@ -118,7 +118,7 @@ TEST_F(CatalogueModelTest, NameByUser_DoesNothing_WhenASettledObjectGetsTheNameO
   EXPECT_THAT(changes(), IsEmpty());
 }
 
-TEST_F(CatalogueModelTest, RevertNaming_LeavesWhatAUserSaidSince) {
+TEST_F(CatalogueModelTest, RevertNaming_KeepsLaterUserNames) {
   const ObjectNaming naming = model_.nameByUser(kOld, "mug").value();
   settle(kOld, "jug");
   EXPECT_FALSE(model_.revertNaming(naming).value());
