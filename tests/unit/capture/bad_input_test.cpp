@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "core/capture/oni_file.h"
+#include "tests/support/captured_log.h"
 #include "tests/support/oni_bytes.h"
 #include "tests/unit/capture/tiny_recordings.h"
 

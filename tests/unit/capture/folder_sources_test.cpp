@@ -5,6 +5,7 @@
 #include "core/capture/numbered_folder.h"
 #include "core/capture/time_association.h"
 #include "core/capture/tum_folder.h"
+#include "tests/support/captured_log.h"
 #include "tests/unit/capture/tiny_recordings.h"
 
 namespace scantrove {

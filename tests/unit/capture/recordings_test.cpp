@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/capture/depth_plausibility.h"
+#include "tests/support/captured_log.h"
 #include "tests/unit/capture/tiny_recordings.h"
 
 namespace scantrove {

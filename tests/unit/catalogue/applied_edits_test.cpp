@@ -4,17 +4,12 @@
 #include "core/database/database_connection.h"
 #include "core/database/transaction.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::CatalogueTest;
-using test::openOrFail;
-using test::randomView;
-
-class AppliedEdits : public CatalogueTest {
+class AppliedEditsTest : public CatalogueTest {
  protected:
-  /// What a session does when a region is named: several calls that belong together.
+  /// Calls that a session makes in one edit when a user names a region.
   static Result<std::string> nameNewObject(ObjectDatabase& database) {
     const Result<std::int64_t> session = database.sessions().begin("a scan");
     if (!session) return fail(session.error());
@@ -29,7 +24,7 @@ class AppliedEdits : public CatalogueTest {
     SCANTROVE_TRY(database.sessions().end(*session));
     return std::to_string(object->id.value);
   }
-  /// Rows in all tables that an edit writes into.
+  /// Row counts of all tables that an edit writes.
   [[nodiscard]] std::string rows() const {
     return askSqlite(
         file(),
@@ -39,7 +34,7 @@ class AppliedEdits : public CatalogueTest {
   }
 };
 
-TEST_F(AppliedEdits, IsCarriedOutOnceForEachToken) {
+TEST_F(AppliedEditsTest, RunsOnce_ForEachToken) {
   const auto database = openOrFail(file());
   int runs = 0;
   const auto edit = [&] {
@@ -48,44 +43,46 @@ TEST_F(AppliedEdits, IsCarriedOutOnceForEachToken) {
   };
   const Result<std::string> first = database->applyOnce("a", edit);
   ASSERT_TRUE(first) << first.error().message();
-  EXPECT_EQ(database->applyOnce("a", edit).value_or(""), *first) << "what it said then";
+  EXPECT_EQ(database->applyOnce("a", edit).value_or(""), *first) << "the first result";
   EXPECT_EQ(openOrFail(file())->applyOnce("a", edit).value_or(""), *first) << "another program, later";
   EXPECT_EQ(runs, 1);
   EXPECT_EQ(database->objects()->size(), 1U);
 }
 
-TEST_F(AppliedEdits, LeavesNothing_WhenAnyOfItsStepsFails) {
+TEST_F(AppliedEditsTest, ChangesNothing_WhenAnyStepFails) {
   const auto database = openOrFail(file());
   const std::string before = rows();
-  // Each table in turn cannot be written into: the edit fails at another of its steps.
+  // The edit fails at another step for each missing table.
   for (const char* table : {"sessions", "events", "objects", "views", "view_summaries", "descriptors",
                             "pictures", "applied_edits"}) {
     const auto rename = [&](const QString& from, const QString& to) {
       askSqlite(file(), QString("ALTER TABLE %1 RENAME TO %2").arg(from, to));
     };
-    rename(table, "taken_away");
+    rename(table, "renamed_away");
     EXPECT_FALSE(database->applyOnce("a", [&] { return nameNewObject(*database); })) << table;
-    rename("taken_away", table);
+    rename("renamed_away", table);
     EXPECT_EQ(rows(), before) << table;
   }
   EXPECT_TRUE(database->applyOnce("a", [&] { return nameNewObject(*database); })) << "the next try";
   EXPECT_EQ(database->objects()->size(), 1U);
 }
 
-TEST_F(AppliedEdits, APartThatFailsIsUndoneAlone) {
+TEST_F(AppliedEditsTest, RevertsOnlyTheCall_WhenItFails) {
   const auto database = openOrFail(file());
   const Result<std::string> done = database->applyOnce("a", [&]() -> Result<std::string> {
     const Result<ObjectRecord> object = database->addObject(randomView(0));
     if (!object) return fail(object.error());
     const std::array<ObjectId, 2> pair{object->id, ObjectId{77}};
-    EXPECT_FALSE(database->remove(pair)) << "there is no object 77";
+    EXPECT_FALSE(database->remove(pair)) << "object 77 does not exist";
     return std::to_string(object->id.value);
   });
   ASSERT_TRUE(done) << done.error().message();
-  EXPECT_EQ(database->objects()->size(), 1U) << "it was not removed with the other";
+  EXPECT_EQ(database->objects()->size(), 1U) << "the failed call removed none";
 }
 
-TEST_F(AppliedEdits, NothingFollowsATransactionThatTheDatabaseTookBack) {
+using InTransactionTest = CatalogueTest;
+
+TEST_F(InTransactionTest, RunsNoMoreStatements_WhenTheDatabaseRolledBack) {
   openOrFail(file());
   const auto connection = DatabaseConnection::open(file());
   ASSERT_TRUE(connection);
@@ -99,19 +96,19 @@ TEST_F(AppliedEdits, NothingFollowsATransactionThatTheDatabaseTookBack) {
   const Result<void> outer = inTransaction(**connection, [&]() -> Result<void> {
     SCANTROVE_TRY(insert(1));
     const Result<void> inner = inTransaction(**connection, [&]() -> Result<void> {
-      // As a full disk does, and ROLLBACK TO can then not.
+      // A full disk rolls back everything; ROLLBACK TO fails then.
       SCANTROVE_TRY((*connection)->execute("ROLLBACK"));
       return fail("The disk is full.");
     });
     EXPECT_FALSE(inner);
-    EXPECT_FALSE(insert(1)) << "it would be committed by itself";
+    EXPECT_FALSE(insert(1)) << "outside the transaction it would be committed by itself";
     return {};
   });
   EXPECT_FALSE(outer);
   EXPECT_EQ(countRows(), "0");
-  EXPECT_TRUE(inTransaction(**connection, [&] { return insert(1); })) << "the connection is usable again";
+  EXPECT_TRUE(inTransaction(**connection, [&] { return insert(1); })) << "the connection stays usable";
   EXPECT_EQ(countRows(), "1");
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

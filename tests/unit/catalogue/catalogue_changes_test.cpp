@@ -1,20 +1,15 @@
 #include <gmock/gmock.h>
 
-#include <sstream>
-
 #include "catalogue_test_support.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::openOrFail;
-using test::randomView;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::string inWords(const CatalogueChange& change) {
+std::string describe(const CatalogueChange& change) {
   using Kind = CatalogueChange::Kind;
   const std::string id = std::to_string(change.object().value),
                     other = std::to_string(change.mergeTarget().value);
@@ -43,64 +38,64 @@ std::string inWords(const CatalogueChange& change) {
   return "views discarded of " + id;
 }
 
-class CatalogueChangesTest : public test::CatalogueTest {
+class CatalogueChangesTest : public CatalogueTest {
  protected:
-  /// What `database` reports since the last question, in words.
-  std::vector<std::string> news(ObjectDatabase& database) {
+  /// Changes that `database` reports since the last call, as text.
+  std::vector<std::string> newChanges(ObjectDatabase& database) {
     const Result<CatalogueChanges> changes = database.changesAfter(last_event_);
     if (!changes) return {changes.error().message()};
     last_event_ = changes->last_event;
-    std::vector<std::string> words;
-    for (const CatalogueChange& change : changes->changes) words.push_back(inWords(change));
-    return words;
+    std::vector<std::string> texts;
+    for (const CatalogueChange& change : changes->changes) texts.push_back(describe(change));
+    return texts;
   }
   std::int64_t last_event_ = 0;
 };
 
-TEST_F(CatalogueChangesTest, OneConnectionHearsWhatAnotherDid) {
+TEST_F(CatalogueChangesTest, ReportsChangesOfOtherConnections) {
   const auto window = openOrFail(file()), worker = openOrFail(file());
   EXPECT_EQ(*window->lastEvent(), 0);
-  EXPECT_THAT(news(*window), IsEmpty());
+  EXPECT_THAT(newChanges(*window), IsEmpty());
 
   ObjectView view = randomView(0);
   view.session = *worker->sessions().begin("demo");
   const ObjectId a = worker->addObject(view)->id, b = worker->addObject(randomView(1))->id;
-  EXPECT_THAT(news(*window), ElementsAre("added 1", "view 1 of 1", "added 2", "view 2 of 2"));
+  EXPECT_THAT(newChanges(*window), ElementsAre("added 1", "view 1 of 1", "added 2", "view 2 of 2"));
   EXPECT_EQ(last_event_, *window->lastEvent());
-  EXPECT_THAT(news(*window), IsEmpty());
+  EXPECT_THAT(newChanges(*window), IsEmpty());
 
   EXPECT_TRUE(window->rename(a, "mug \xC3\xA4 \"x\""));
   EXPECT_TRUE(window->setConfirmed({&b, 1}, true));
-  EXPECT_TRUE(window->setConfirmed({&b, 1}, true));  // no change, nothing to tell
+  EXPECT_TRUE(window->setConfirmed({&b, 1}, true));  // no change, no event
   EXPECT_FALSE(window->rename(b, "mug \xC3\xA4 \"x\""));
-  EXPECT_THAT(news(*worker), ElementsAre("1 is now mug \xC3\xA4 \"x\"", "confirmed 2"));
+  EXPECT_THAT(newChanges(*worker), ElementsAre("1 is now mug \xC3\xA4 \"x\"", "confirmed 2"));
 
   const ObjectMerge merge = *window->merge(std::array{a, b});
-  EXPECT_THAT(news(*worker), ElementsAre("2 into 1", "confirmed 1"));
+  EXPECT_THAT(newChanges(*worker), ElementsAre("2 into 1", "confirmed 1"));
   view.object = b;
   EXPECT_TRUE(worker->addView(view));
-  EXPECT_THAT(news(*window), ElementsAre("view 3 of 1"));
+  EXPECT_THAT(newChanges(*window), ElementsAre("view 3 of 1"));
   EXPECT_TRUE(window->unmerge(merge));
-  EXPECT_THAT(news(*worker), ElementsAre("2 out of 1", "unconfirmed 1"));
+  EXPECT_THAT(newChanges(*worker), ElementsAre("2 out of 1", "unconfirmed 1"));
 
   EXPECT_TRUE(window->remove(std::array{a, b}));
   EXPECT_TRUE(window->restore({&b, 1}));
   EXPECT_TRUE(worker->sessions().end(view.session));
-  EXPECT_THAT(news(*worker), ElementsAre("removed 1", "removed 2", "restored 2"));
+  EXPECT_THAT(newChanges(*worker), ElementsAre("removed 1", "removed 2", "restored 2"));
 }
 
-TEST_F(CatalogueChangesTest, EventsThatMakeNoSenseAreLeftOut) {
+TEST_F(CatalogueChangesTest, SkipsMalformedEvents) {
   const auto database = openOrFail(file());
   ASSERT_TRUE(database->addObject(randomView(0)));
   askSqlite(file(), "INSERT INTO events (created, action, object) VALUES ('', 'juggle', 1)");
   askSqlite(file(), "INSERT INTO events (created, action, after_json) VALUES ('', 'rename', '{}')");
   askSqlite(file(), "INSERT INTO events (created, action, object, after_json) VALUES ('', 'rename', 1, '[')");
   askSqlite(file(), "INSERT INTO events (created, action, object) VALUES ('', 'merge', 1)");
-  EXPECT_THAT(news(*database), ElementsAre("added 1", "view 1 of 1"));
+  EXPECT_THAT(newChanges(*database), ElementsAre("added 1", "view 1 of 1"));
   EXPECT_EQ(last_event_, *database->lastEvent());
 }
 
-TEST_F(CatalogueChangesTest, EventsKeepWhatWasBefore) {
+TEST_F(CatalogueChangesTest, EventsStoreStatesBeforeAndAfter) {
   const auto database = openOrFail(file());
   const ObjectId a = database->addObject(randomView(0))->id, b = database->addObject(randomView(1))->id;
   EXPECT_TRUE(database->rename(a, "mug"));
@@ -112,4 +107,4 @@ TEST_F(CatalogueChangesTest, EventsKeepWhatWasBefore) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

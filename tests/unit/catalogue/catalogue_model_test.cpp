@@ -33,11 +33,11 @@ class CatalogueModelTest : public testing::Test {
 
 // Lookup.
 
-TEST_F(CatalogueModelTest, Known_IsAnErrorThatNamesThePlace_WhenThereIsNoSuchObject) {
+TEST_F(CatalogueModelTest, Known_NamesTheFile_WhenTheObjectIsUnknown) {
   EXPECT_THAT(model_.known(ObjectId{9}).error().what, HasSubstr("the file holds no object 9"));
 }
 
-TEST_F(CatalogueModelTest, Shown_SaysWhatBecameOfAHiddenObject) {
+TEST_F(CatalogueModelTest, Shown_SaysMergedOrDeleted_WhenTheObjectIsHidden) {
   merge(kOld, kMiddle);
   ASSERT_TRUE(model_.remove(std::array{kNew}));
   EXPECT_THAT(model_.shown(kMiddle).error().what, HasSubstr("merged into object 1"));
@@ -51,7 +51,7 @@ TEST_F(CatalogueModelTest, MergeRoot_FollowsMergesOfMerges) {
   for (const ObjectId id : {kOld, kMiddle, kNew}) EXPECT_EQ(model_.mergeRoot(id), kNew);
 }
 
-TEST_F(CatalogueModelTest, MergeRoot_IsNone_WhenTheRootWasDeletedOrMergesFormACircle) {
+TEST_F(CatalogueModelTest, MergeRoot_IsNone_WhenTheRootIsDeletedOrMergesAreCyclic) {
   merge(kOld, kMiddle);
   ASSERT_TRUE(model_.remove(std::array{kOld}));
   EXPECT_FALSE(model_.mergeRoot(kMiddle));
@@ -79,7 +79,7 @@ TEST_F(CatalogueModelTest, Rename_Fails_WhenAnotherVisibleObjectHasTheName) {
   EXPECT_TRUE(model_.rename(kOld, "Obj_2", NamedBy::person));
 }
 
-TEST_F(CatalogueModelTest, SetConfirmed_ChangesNothing_WhenOneOfThemIsHidden) {
+TEST_F(CatalogueModelTest, SetConfirmed_ChangesNothing_WhenOneIsHidden) {
   ASSERT_TRUE(model_.remove(std::array{kNew}));
   static_cast<void>(changes());
   EXPECT_FALSE(model_.setConfirmed(std::array{kOld, kNew}, true));
@@ -103,7 +103,7 @@ TEST_F(CatalogueModelTest, NameByUser_MergesIntoTheObjectOfThatName) {
   settle(kNew, "mug");
   const ObjectNaming naming = model_.nameByUser(kOld, "mug").value();
   EXPECT_EQ(naming.object, kNew);
-  EXPECT_EQ(model_.mergeRoot(kOld), kNew) << "though the other is older";
+  EXPECT_EQ(model_.mergeRoot(kOld), kNew) << "although the other is older";
   EXPECT_TRUE(model_.revertNaming(naming).value());
   EXPECT_EQ(model_.mergeRoot(kOld), kOld);
   EXPECT_FALSE(state(kNew).confirmed);
@@ -134,7 +134,7 @@ TEST_F(CatalogueModelTest, RevertNaming_LeavesTheName_WhenTheEarlierOneIsTaken) 
 
 // Merging.
 
-TEST_F(CatalogueModelTest, Merge_MakesTheNamedThenTheConfirmedThenTheOldestTheRoot) {
+TEST_F(CatalogueModelTest, Merge_PrefersNamedThenConfirmedThenOldestAsRoot) {
   EXPECT_EQ(merge(kMiddle, kOld).into, kOld);
   ASSERT_TRUE(model_.setConfirmed(std::array{kNew}, true));
   EXPECT_EQ(merge(kOld, kNew).into, kNew);
@@ -142,7 +142,7 @@ TEST_F(CatalogueModelTest, Merge_MakesTheNamedThenTheConfirmedThenTheOldestTheRo
   const ObjectMerge last = merge(kNew, ObjectId{4});
   EXPECT_EQ(last.into, ObjectId{4});
   EXPECT_TRUE(last.has_confirmed);
-  EXPECT_TRUE(state(ObjectId{4}).confirmed) << "no mark is lost";
+  EXPECT_TRUE(state(ObjectId{4}).confirmed) << "the confirmation is kept";
 }
 
 TEST_F(CatalogueModelTest, Merge_Fails_WithItselfAndWithHiddenOnes) {
@@ -165,14 +165,14 @@ TEST_F(CatalogueModelTest, Unmerge_IsTheInverse) {
   EXPECT_FALSE(model_.unmerge(all)) << "once";
 }
 
-TEST_F(CatalogueModelTest, Unmerge_NumbersTheName_WhenItIsTakenByNow) {
+TEST_F(CatalogueModelTest, Unmerge_NumbersTheName_WhenItIsTaken) {
   const ObjectMerge pair = merge(kOld, kMiddle);
   settle(kNew, "Obj_2");
   ASSERT_TRUE(model_.unmerge(pair));
   EXPECT_EQ(state(kMiddle).name, "Obj_2 (2)");
 }
 
-TEST_F(CatalogueModelTest, Unmerge_TakesTheViewsFromTheRootOfTheTarget_Too) {
+TEST_F(CatalogueModelTest, Unmerge_RemovesTheViewsFromTheRootOfTheTarget) {
   const ObjectMerge inner = merge(kMiddle, kNew);
   merge(kOld, kMiddle);
   static_cast<void>(model_.takeChanges());
@@ -190,17 +190,17 @@ TEST_F(CatalogueModelTest, MayMerge_IsFalse_WhenBothAreSettledOrKeptApartOrHidde
   settle(kOld, "mug");
   EXPECT_TRUE(model_.mayMerge(kOld, kNew));
   ASSERT_TRUE(model_.setConfirmed(std::array{kNew}, true));
-  EXPECT_FALSE(model_.mayMerge(kOld, kNew)) << "users said what each is";
+  EXPECT_FALSE(model_.mayMerge(kOld, kNew)) << "users named or confirmed both";
   EXPECT_TRUE(model_.mayMerge(kMiddle, kNew));
   model_.keepApart(kNew, kMiddle);
-  EXPECT_FALSE(model_.mayMerge(kMiddle, kNew)) << "a user undid that";
+  EXPECT_FALSE(model_.mayMerge(kMiddle, kNew)) << "a user reverted that merge";
   ASSERT_TRUE(model_.remove(std::array{kMiddle}));
   EXPECT_FALSE(model_.mayMerge(kOld, kMiddle));
 }
 
 // Deleting.
 
-TEST_F(CatalogueModelTest, Restore_BringsDeletedObjectsBack_AndFailsForMergedOnes) {
+TEST_F(CatalogueModelTest, Restore_ShowsDeletedObjects_AndFailsForMergedOnes) {
   ASSERT_TRUE(model_.remove(std::array{kOld, kOld}));
   EXPECT_FALSE(model_.remove(std::array{kOld}));
   ASSERT_TRUE(model_.restore(std::array{kOld, kNew}));
@@ -210,7 +210,7 @@ TEST_F(CatalogueModelTest, Restore_BringsDeletedObjectsBack_AndFailsForMergedOne
   EXPECT_FALSE(model_.restore(std::array{kMiddle}));
 }
 
-TEST_F(CatalogueModelTest, Withdraw_KeepsWhatIsSettledHiddenOrHasParts) {
+TEST_F(CatalogueModelTest, Withdraw_Fails_WhenSettledHiddenOrWithParts) {
   settle(kOld, "mug");
   EXPECT_FALSE(model_.withdraw(kOld).value());
   merge(kMiddle, kNew);

@@ -1,28 +1,22 @@
 #include <gmock/gmock.h>
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/spdlog.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "catalogue_test_support.h"
 #include "core/catalogue/catalogue_schema.h"
 #include "core/database/database_connection.h"
 #include "core/database/transaction.h"
+#include "tests/support/captured_log.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::CatalogueTest;
-using test::openOrFail;
-using test::randomView;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class DatabaseFailures : public CatalogueTest {
+class DatabaseFailuresTest : public CatalogueTest {
  protected:
   static std::string messageOf(const std::string& database) {
     const Result<std::unique_ptr<ObjectDatabase>> opened = ObjectDatabase::open(database);
@@ -33,7 +27,7 @@ class DatabaseFailures : public CatalogueTest {
   }
 };
 
-TEST_F(DatabaseFailures, NotADatabase) {
+TEST_F(DatabaseFailuresTest, NamesTheFile_WhenItIsNoDatabase) {
   write("This is a letter, and longer than the header of a database file would be.\n");
   EXPECT_THAT(messageOf(file()),
               AllOf(HasSubstr(file()), HasSubstr("is not a database"), HasSubstr("another file")));
@@ -45,20 +39,20 @@ TEST_F(DatabaseFailures, NotADatabase) {
   EXPECT_THAT(messageOf(file()), AllOf(HasSubstr(file()), HasSubstr("is not a database")));
 }
 
-TEST_F(DatabaseFailures, AnEmptyFileBecomesACatalogue) {
+TEST_F(DatabaseFailuresTest, MakesACatalogue_WhenTheFileIsEmpty) {
   write("");
   EXPECT_EQ(messageOf(file()), "(opened)");
   EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "7");
 }
 
-TEST_F(DatabaseFailures, AnotherProgramsDatabase) {
+TEST_F(DatabaseFailuresTest, RefusesUnchanged_WhenTheDatabaseIsAnotherPrograms) {
   askSqlite(file(), "CREATE TABLE bookmarks (url TEXT)");
   EXPECT_THAT(messageOf(file()), AllOf(HasSubstr(file()), HasSubstr("another program")));
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM sqlite_master"), "1");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "delete") << "not a bit of it may change";
+  EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "delete") << "the file is not changed";
 }
 
-TEST_F(DatabaseFailures, FilesOfAFewBytesAreNoDatabases) {
+TEST_F(DatabaseFailuresTest, RefusesUnchanged_WhenTheFileHasFewBytes) {
   for (const char* text : {"x", "SQLite format 3", "SQLite format 3\n and more"}) {
     write(text);
     EXPECT_THAT(messageOf(file()), HasSubstr("is not a database")) << text;
@@ -66,7 +60,7 @@ TEST_F(DatabaseFailures, FilesOfAFewBytesAreNoDatabases) {
   }
 }
 
-TEST_F(DatabaseFailures, PathsThatLeadNowhere) {
+TEST_F(DatabaseFailuresTest, NamesThePath_WhenItIsALoopTooLongOrAPipe) {
   std::filesystem::create_symlink(file("b"), file("a"));
   std::filesystem::create_symlink(file("a"), file("b"));
   EXPECT_THAT(messageOf(file("a")), HasSubstr(file("a")));
@@ -75,7 +69,7 @@ TEST_F(DatabaseFailures, PathsThatLeadNowhere) {
   EXPECT_THAT(messageOf(file("pipe")), HasSubstr("not a regular file"));
 }
 
-TEST_F(DatabaseFailures, MissingTables) {
+TEST_F(DatabaseFailuresTest, NamesTheTable_WhenItIsMissing) {
   for (const char* table : {"views", "events", "descriptors", "objects"}) {
     std::filesystem::remove(file());
     {
@@ -92,7 +86,7 @@ TEST_F(DatabaseFailures, MissingTables) {
   }
 }
 
-TEST_F(DatabaseFailures, VersionsThatCannotBe) {
+TEST_F(DatabaseFailuresTest, ReportsDamage_WhenTheSchemaVersionIsImpossible) {
   openOrFail(file());
   for (const char* version : {"-1", "0"}) {
     askSqlite(file(), QString("PRAGMA user_version = %1").arg(version));
@@ -104,15 +98,12 @@ TEST_F(DatabaseFailures, VersionsThatCannotBe) {
   EXPECT_THAT(messageOf(file()), AllOf(HasSubstr("damaged"), HasSubstr("without tables")));
 }
 
-TEST_F(DatabaseFailures, AFullDisk) {
+TEST_F(DatabaseFailuresTest, ReportsOnceAndStaysUsable_WhenTheDiskIsFull) {
   openOrFail(file());
   const auto connection = DatabaseConnection::open(file());
   ASSERT_TRUE(connection);
   ASSERT_TRUE((*connection)->execute("PRAGMA max_page_count = 40"));
-  std::ostringstream log;
-  const auto previous = spdlog::default_logger();
-  spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>("captured", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
+  const CapturedLog log;
   const auto store = [&](int kilobytes) {
     return inTransaction(**connection, [&]() -> Result<void> {
       SCANTROVE_TRY((*connection)->execute("CREATE TABLE IF NOT EXISTS filler (bytes BLOB)"));
@@ -125,21 +116,20 @@ TEST_F(DatabaseFailures, AFullDisk) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(),
               AllOf(HasSubstr(file()), HasSubstr("disk is full"), HasSubstr("Free some space")));
-  EXPECT_TRUE(store(1)) << "the connection is usable again";
-  spdlog::set_default_logger(previous);
-  EXPECT_EQ(log.str(), "") << "a failure is told once";
+  EXPECT_TRUE(store(1)) << "the connection stays usable";
+  EXPECT_EQ(log.text(), "") << "the error is returned, not logged as well";
 }
 
-TEST_F(DatabaseFailures, Truncated) {
+TEST_F(DatabaseFailuresTest, ReportsDamage_WhenTheFileIsTruncated) {
   {
     const auto database = openOrFail(file());
     for (int i = 0; i < 20; ++i) EXPECT_TRUE(database->addObject(randomView(i, {80, 60})));
   }
-  const std::string whole = file("whole.sqlite");
-  std::filesystem::copy_file(file(), whole);
+  const std::string complete = file("complete.sqlite");
+  std::filesystem::copy_file(file(), complete);
   for (const std::uintmax_t size : {100U, 4096U, 40000U, 100001U}) {
     std::filesystem::remove(file());
-    std::filesystem::copy_file(whole, file());
+    std::filesystem::copy_file(complete, file());
     ASSERT_LT(size, std::filesystem::file_size(file()));
     std::filesystem::resize_file(file(), size);
     EXPECT_THAT(messageOf(file()),
@@ -148,7 +138,7 @@ TEST_F(DatabaseFailures, Truncated) {
   }
 }
 
-TEST_F(DatabaseFailures, FoldersAndMissingFolders) {
+TEST_F(DatabaseFailuresTest, NamesThePath_WhenItIsAFolderOrMissing) {
   EXPECT_THAT(messageOf(folder_.string()), AllOf(HasSubstr(folder_.string()), HasSubstr("is a folder")));
   EXPECT_THAT(messageOf(file("missing/catalogue.sqlite")),
               AllOf(HasSubstr("missing"), HasSubstr("does not exist")));
@@ -156,16 +146,16 @@ TEST_F(DatabaseFailures, FoldersAndMissingFolders) {
   EXPECT_THAT(messageOf(""), HasSubstr("No database"));
 }
 
-TEST_F(DatabaseFailures, PostgresqlIsRefusedClearly) {
+TEST_F(DatabaseFailuresTest, RefusesPostgresql) {
   EXPECT_THAT(messageOf("postgresql://someone@host/db"), AllOf(HasSubstr("PostgreSQL"), HasSubstr("SQLite")));
 }
 
-TEST_F(DatabaseFailures, AFolderThatCannotBeWritten) {
-  // /proc holds for root as well.
+TEST_F(DatabaseFailuresTest, NamesTheFile_WhenItCannotBeCreated) {
+  // Root cannot write to /proc either.
   EXPECT_THAT(messageOf("/proc/catalogue.sqlite"), HasSubstr("/proc/catalogue.sqlite"));
 }
 
-/// Nobody special while it lives: permissions hold for root as well then.
+/// Runs as user nobody while it lives, so that permissions apply to root, too.
 class AsNobody {
  public:
   AsNobody() { EXPECT_TRUE(user_ != 0 || ::setresuid(kNobody, kNobody, 0) == 0); }
@@ -178,7 +168,7 @@ class AsNobody {
   uid_t user_ = ::geteuid();
 };
 
-TEST_F(DatabaseFailures, WhatMayNotBeWritten) {
+TEST_F(DatabaseFailuresTest, NamesFileOrFolder_WhenItIsReadOnly) {
   using std::filesystem::perms;
   openOrFail(file());
   std::filesystem::permissions(folder_, perms::all);
@@ -197,25 +187,25 @@ TEST_F(DatabaseFailures, WhatMayNotBeWritten) {
   std::filesystem::permissions(folder_, perms::owner_all);
 }
 
-TEST_F(DatabaseFailures, Locked) {
+TEST_F(DatabaseFailuresTest, ReportsTheLock_WhenAnotherConnectionHoldsIt) {
   const auto database = openOrFail(file());
-  const auto root = DatabaseConnection::open(file());
-  ASSERT_TRUE(root);
-  ASSERT_TRUE((*root)->execute("BEGIN EXCLUSIVE"));
+  const auto other = DatabaseConnection::open(file());
+  ASSERT_TRUE(other);
+  ASSERT_TRUE((*other)->execute("BEGIN EXCLUSIVE"));
   const Result<ObjectRecord> refused = database->addObject(randomView(0));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), AllOf(HasSubstr(file()), HasSubstr("locked")));
-  ASSERT_TRUE((*root)->execute("ROLLBACK"));
+  ASSERT_TRUE((*other)->execute("ROLLBACK"));
   EXPECT_TRUE(database->addObject(randomView(0)));
 }
 
-TEST_F(DatabaseFailures, ANewerSchema) {
+TEST_F(DatabaseFailuresTest, NamesTheVersion_WhenTheSchemaIsNewer) {
   openOrFail(file());
   askSqlite(file(), "PRAGMA user_version = 999");
   EXPECT_THAT(messageOf(file()), AllOf(HasSubstr(file()), HasSubstr("newer"), HasSubstr("999")));
 }
 
-TEST_F(DatabaseFailures, MigrationsRunInOrderAndOnce) {
+TEST_F(DatabaseFailuresTest, RunsMigrationsInOrderAndOnce) {
   auto connection = DatabaseConnection::open(file());
   ASSERT_TRUE(connection);
   std::vector<schema::Migration> steps(schema::catalogueSteps().begin(), schema::catalogueSteps().end());
@@ -230,7 +220,7 @@ TEST_F(DatabaseFailures, MigrationsRunInOrderAndOnce) {
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM schema_migrations"), std::to_string(first + 2));
 }
 
-TEST_F(DatabaseFailures, AFailedMigrationChangesNothing) {
+TEST_F(DatabaseFailuresTest, ChangesNothing_WhenAMigrationFails) {
   openOrFail(file());
   auto connection = DatabaseConnection::open(file());
   ASSERT_TRUE(connection);
@@ -246,4 +236,4 @@ TEST_F(DatabaseFailures, AFailedMigrationChangesNothing) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

@@ -14,7 +14,7 @@ cv::Mat noise(int type) {
   return image;
 }
 
-TEST(ImageBlob, KeepsWhatACatalogueHas) {
+TEST(ImageBlob, ReadsBackPngExactlyAndJpegClosely) {
   for (const int type : {CV_8UC3, CV_8UC1, CV_16UC1}) {
     const cv::Mat image = noise(type), read = decodedImage(toPng(image));
     ASSERT_EQ(read.type(), type);
@@ -25,7 +25,7 @@ TEST(ImageBlob, KeepsWhatACatalogueHas) {
   EXPECT_LE(cv::norm(picture, cv::Mat(31, 17, CV_8UC3, cv::Scalar(40, 80, 120)), cv::NORM_INF), 3);
 }
 
-TEST(ImageBlob, OfNothingIsThereAndEmpty) {
+TEST(ImageBlob, IsEmptyAndNotNull_WhenTheImageIsEmpty) {
   EXPECT_FALSE(toPng({}).isNull());
   EXPECT_TRUE(toPng({}).isEmpty());
   EXPECT_TRUE(toJpeg({}).isEmpty());
@@ -33,8 +33,8 @@ TEST(ImageBlob, OfNothingIsThereAndEmpty) {
   EXPECT_TRUE(decodedImage("no image").empty());
 }
 
-/// Of a database that was damaged; nothing may be allocated for what it claims.
-TEST(ImageBlob, ThatClaimsTooManyPixelsIsNone) {
+// A damaged database must not make the program allocate the claimed size.
+TEST(ImageBlob, DecodesToNothing_WhenTheHeaderClaimsTooManyPixels) {
   QByteArray png = toPng(noise(CV_8UC3));
   png.replace(16, 8, QByteArray::fromHex("7fffffff7fffffff"));
   EXPECT_TRUE(decodedImage(png).empty());
@@ -43,10 +43,10 @@ TEST(ImageBlob, ThatClaimsTooManyPixelsIsNone) {
   ASSERT_GT(frame, 0);
   jpeg.replace(frame + 5, 4, QByteArray::fromHex("ffdcffdc"));  // 65,500 x 65,500: 13 GB
   EXPECT_TRUE(decodedImage(jpeg).empty());
-  EXPECT_TRUE(decodedImage(toJpeg(noise(CV_8UC3)).first(60)).empty()) << "cut off in the tables";
+  EXPECT_TRUE(decodedImage(toJpeg(noise(CV_8UC3)).first(60)).empty()) << "truncated within its tables";
 }
 
-TEST(ImageBlob, WhatIsNotReadAgainIsNotWritten) {
+TEST(ImageBlob, Throws_WhenTheImageIsTooLargeToReadBack) {
   EXPECT_THROW(static_cast<void>(toPng(cv::Mat(1, 8193, CV_8UC1, cv::Scalar(1)))), std::runtime_error);
 }
 

@@ -14,134 +14,132 @@ using testing::IsEmpty;
 
 constexpr std::int64_t kYesterday = 7;
 
-/// Where an earlier scan saw five things, and the world of today, which is turned and shifted against it.
+/// Five objects of an earlier scan, and today's world frame, rotated and shifted against the earlier one.
 class KnownLayoutsTest : public testing::Test {
  protected:
   KnownLayoutsTest() {
-    for (std::size_t i = 0; i < then_.size(); ++i) places_.add(kYesterday, thing(i), then_[i]);
+    for (std::size_t i = 0; i < earlier_.size(); ++i) layouts_.add(kYesterday, objectId(i), earlier_[i]);
   }
-  static ObjectId thing(std::size_t i) { return ObjectId{static_cast<std::uint32_t>(i + 1)}; }
-  [[nodiscard]] Eigen::Vector3f now(std::size_t i) const { return T_now_then_ * then_[i]; }
+  static ObjectId objectId(std::size_t i) { return ObjectId{static_cast<std::uint32_t>(i + 1)}; }
+  [[nodiscard]] Eigen::Vector3f now(std::size_t i) const { return T_now_earlier_ * earlier_[i]; }
   [[nodiscard]] std::vector<KnownLayouts::ObjectPosition> recognized(
-      const std::vector<std::size_t>& things) const {
-    std::vector<KnownLayouts::ObjectPosition> position;
-    for (const std::size_t i : things) position.push_back({thing(i), now(i)});
-    return position;
+      const std::vector<std::size_t>& objects) const {
+    std::vector<KnownLayouts::ObjectPosition> positions;
+    for (const std::size_t i : objects) positions.push_back({objectId(i), now(i)});
+    return positions;
   }
-  void align(const std::vector<KnownLayouts::ObjectPosition>& position) {
-    places_.align(position, [](ObjectId object) { return object; });
+  void align(const std::vector<KnownLayouts::ObjectPosition>& positions) {
+    layouts_.align(positions, [](ObjectId object) { return object; });
   }
 
-  const std::vector<Eigen::Vector3f> then_{
+  const std::vector<Eigen::Vector3f> earlier_{
       {0, 0, 2}, {1, 0.1F, 2.5F}, {-0.8F, 0.5F, 1.5F}, {0.4F, -0.6F, 3}, {2, 1, 1}};
-  const Eigen::Isometry3f T_now_then_ =
+  const Eigen::Isometry3f T_now_earlier_ =
       Eigen::Translation3f(0.5F, -1, 0.3F) * Eigen::AngleAxisf(0.7F, Eigen::Vector3f(1, 2, -1).normalized());
-  KnownLayouts places_;
+  KnownLayouts layouts_;
 };
 
-TEST_F(KnownLayoutsTest, ThreeThatStandAsTheyDidTellWhereTheOthersAre) {
-  EXPECT_THAT(places_.expectedAt(now(3)), IsEmpty()) << "nothing is recognised";
+TEST_F(KnownLayoutsTest, ExpectsTheOthers_WhenThreeObjectsMatch) {
+  EXPECT_THAT(layouts_.expectedAt(now(3)), IsEmpty()) << "no object is recognised";
   align(recognized({0, 1}));
-  EXPECT_THAT(places_.expectedAt(now(3)), IsEmpty()) << "two are too few";
+  EXPECT_THAT(layouts_.expectedAt(now(3)), IsEmpty()) << "two are too few";
   align(recognized({0, 1, 2}));
-  EXPECT_THAT(places_.expectedAt(now(3)), ElementsAre(thing(3)));
-  EXPECT_THAT(places_.expectedAt(now(4)), ElementsAre(thing(4)));
-  EXPECT_THAT(places_.expectedAt(now(0)), ElementsAre(thing(0)));
-  EXPECT_THAT(places_.expectedAt(now(3) + Eigen::Vector3f(0, 0.14F, 0)), ElementsAre(thing(3)));
-  EXPECT_THAT(places_.expectedAt(now(3) + Eigen::Vector3f(0, 0.16F, 0)), IsEmpty());
+  EXPECT_THAT(layouts_.expectedAt(now(3)), ElementsAre(objectId(3)));
+  EXPECT_THAT(layouts_.expectedAt(now(4)), ElementsAre(objectId(4)));
+  EXPECT_THAT(layouts_.expectedAt(now(0)), ElementsAre(objectId(0)));
+  EXPECT_THAT(layouts_.expectedAt(now(3) + Eigen::Vector3f(0, 0.14F, 0)), ElementsAre(objectId(3)));
+  EXPECT_THAT(layouts_.expectedAt(now(3) + Eigen::Vector3f(0, 0.16F, 0)), IsEmpty());
   align({});
-  EXPECT_THAT(places_.expectedAt(now(3)), IsEmpty()) << "it is another place after all";
+  EXPECT_THAT(layouts_.expectedAt(now(3)), IsEmpty()) << "no object is recognised any more";
 }
 
-TEST_F(KnownLayoutsTest, SightingsNeedNotBeExact) {
-  std::vector<KnownLayouts::ObjectPosition> position = recognized({0, 1, 2, 4});
-  for (std::size_t i = 0; i < position.size(); ++i)
-    position[i].centroid_world[static_cast<int>(i % 3)] += i % 2 == 0 ? 0.03F : -0.03F;
-  align(position);
-  EXPECT_THAT(places_.expectedAt(now(3)), ElementsAre(thing(3)));
+TEST_F(KnownLayoutsTest, ExpectsTheOthers_WhenPositionsAreNoisy) {
+  std::vector<KnownLayouts::ObjectPosition> positions = recognized({0, 1, 2, 4});
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    positions[i].centroid_world[static_cast<int>(i % 3)] += i % 2 == 0 ? 0.03F : -0.03F;
+  align(positions);
+  EXPECT_THAT(layouts_.expectedAt(now(3)), ElementsAre(objectId(3)));
 }
 
-TEST_F(KnownLayoutsTest, WhatWasPutElsewhereIsOutvoted) {
-  std::vector<KnownLayouts::ObjectPosition> position = recognized({0, 1, 2, 4});
-  position[3].centroid_world += Eigen::Vector3f(0.5F, 0, 0);
-  align(position);
-  EXPECT_THAT(places_.expectedAt(now(3)), ElementsAre(thing(3)));
+TEST_F(KnownLayoutsTest, ExpectsTheOthers_WhenOneObjectMoved) {
+  std::vector<KnownLayouts::ObjectPosition> positions = recognized({0, 1, 2, 4});
+  positions[3].centroid_world += Eigen::Vector3f(0.5F, 0, 0);
+  align(positions);
+  EXPECT_THAT(layouts_.expectedAt(now(3)), ElementsAre(objectId(3)));
 }
 
-TEST_F(KnownLayoutsTest, WhereThingsStandFartherApartIsAnotherPlace) {
+TEST_F(KnownLayoutsTest, ExpectsNothing_WhenDistancesAreScaled) {
   std::vector<KnownLayouts::ObjectPosition> scaled = recognized({0, 1, 2, 3});
   for (KnownLayouts::ObjectPosition& position : scaled) position.centroid_world *= 1.4F;
   align(scaled);
-  EXPECT_THAT(places_.expectedAt(now(4)), IsEmpty());
-  EXPECT_THAT(places_.expectedAt(1.4F * now(4)), IsEmpty());
+  EXPECT_THAT(layouts_.expectedAt(now(4)), IsEmpty());
+  EXPECT_THAT(layouts_.expectedAt(1.4F * now(4)), IsEmpty());
 }
 
-TEST_F(KnownLayoutsTest, ThreeOnALineTellNothing) {
-  KnownLayouts places;
+TEST_F(KnownLayoutsTest, ExpectsNothing_WhenTheObjectsLieOnALine) {
+  KnownLayouts layouts;
   for (std::size_t i = 0; i < 3; ++i)
-    places.add(kYesterday, thing(i),
-               Eigen::Vector3f(static_cast<float>(i), 0.05F * static_cast<float>(i % 2), 2));
-  places.add(kYesterday, thing(3), {1, 1, 2});
-  std::vector<KnownLayouts::ObjectPosition> position;
+    layouts.add(kYesterday, objectId(i),
+                Eigen::Vector3f(static_cast<float>(i), 0.05F * static_cast<float>(i % 2), 2));
+  layouts.add(kYesterday, objectId(3), {1, 1, 2});
+  std::vector<KnownLayouts::ObjectPosition> positions;
   for (std::size_t i = 0; i < 3; ++i)
-    position.push_back(
-        {thing(i), Eigen::Vector3f(static_cast<float>(i), 0.05F * static_cast<float>(i % 2), 2)});
-  places.align(position, [](ObjectId object) { return object; });
-  EXPECT_THAT(places.expectedAt({1, 1, 2}), IsEmpty());
+    positions.push_back(
+        {objectId(i), Eigen::Vector3f(static_cast<float>(i), 0.05F * static_cast<float>(i % 2), 2)});
+  layouts.align(positions, [](ObjectId object) { return object; });
+  EXPECT_THAT(layouts.expectedAt({1, 1, 2}), IsEmpty());
 }
 
-/// Twelve alike things recognised one for another, as in a room of the same mugs: three of them stand
-/// somewhere as any three did, by chance.
-TEST_F(KnownLayoutsTest, ChanceIsNotBelieved) {
+// Twelve equal objects are confused with each other, so some three may match earlier positions by chance.
+TEST_F(KnownLayoutsTest, ExpectsNothing_WhenObjectsMatchByChance) {
   std::mt19937 random(3);  // of any seed
   std::uniform_real_distribution<float> meters(-1.5F, 1.5F);
   const auto anywhere = [&] { return Eigen::Vector3f(meters(random), meters(random) / 3, meters(random)); };
-  int believed = 0;
+  int matches = 0;
   for (int room = 0; room < 50; ++room) {
-    KnownLayouts places;
-    std::vector<KnownLayouts::ObjectPosition> position;
-    std::vector<Eigen::Vector3f> then;
+    KnownLayouts layouts;
+    std::vector<KnownLayouts::ObjectPosition> positions;
     for (std::size_t i = 0; i < 12; ++i) {
-      then.push_back(anywhere());
-      places.add(kYesterday, thing(i), then.back());
-      position.push_back({thing(i), anywhere()});
+      layouts.add(kYesterday, objectId(i), anywhere());
+      positions.push_back({objectId(i), anywhere()});
     }
-    places.align(position, [](ObjectId object) { return object; });
-    for (int i = 0; i < 20; ++i) believed += places.expectedAt(anywhere()).empty() ? 0 : 1;
+    layouts.align(positions, [](ObjectId object) { return object; });
+    for (int i = 0; i < 20; ++i) matches += layouts.expectedAt(anywhere()).empty() ? 0 : 1;
   }
-  EXPECT_EQ(believed, 0) << "of 1000";
+  EXPECT_EQ(matches, 0) << "of 1000";
 }
 
-TEST_F(KnownLayoutsTest, WhoHoldsAnObjectIsExpected) {
-  places_.align(recognized({0, 1, 2}), [](ObjectId object) {
-    if (object == thing(3)) return ObjectId{99};
-    return object == thing(4) ? ObjectId{} : object;
+TEST_F(KnownLayoutsTest, ExpectsTheMergeRoot) {
+  layouts_.align(recognized({0, 1, 2}), [](ObjectId object) {
+    if (object == objectId(3)) return ObjectId{99};
+    return object == objectId(4) ? ObjectId{} : object;
   });
-  EXPECT_THAT(places_.expectedAt(now(3)), ElementsAre(ObjectId{99}));
-  EXPECT_THAT(places_.expectedAt(now(4)), IsEmpty()) << "it was deleted";
+  EXPECT_THAT(layouts_.expectedAt(now(3)), ElementsAre(ObjectId{99}));
+  EXPECT_THAT(layouts_.expectedAt(now(4)), IsEmpty()) << "it was deleted";
 }
 
-TEST_F(KnownLayoutsTest, WhatMovedWhileItWasSeenHasNoPlace) {
-  places_.add(kYesterday, thing(3), then_[3] + Eigen::Vector3f(0.4F, 0, 0));
+TEST_F(KnownLayoutsTest, OmitsAnObject_WhenItMovedDuringTheEarlierScan) {
+  layouts_.add(kYesterday, objectId(3), earlier_[3] + Eigen::Vector3f(0.4F, 0, 0));
   align(recognized({0, 1, 2}));
-  EXPECT_THAT(places_.expectedAt(now(3)), IsEmpty());
-  EXPECT_THAT(places_.expectedAt(now(4)), ElementsAre(thing(4)));
+  EXPECT_THAT(layouts_.expectedAt(now(3)), IsEmpty());
+  EXPECT_THAT(layouts_.expectedAt(now(4)), ElementsAre(objectId(4)));
 }
 
-TEST_F(KnownLayoutsTest, EachSessionHasAWorldOfItsOwn) {
+TEST_F(KnownLayoutsTest, AlignsEachSessionSeparately) {
   const std::int64_t other = kYesterday + 1;
-  for (std::size_t i = 0; i < 4; ++i) places_.add(other, thing(i), 2 * then_[i] + Eigen::Vector3f(5, 0, 0));
+  for (std::size_t i = 0; i < 4; ++i)
+    layouts_.add(other, objectId(i), 2 * earlier_[i] + Eigen::Vector3f(5, 0, 0));
   align(recognized({0, 1, 2}));
-  EXPECT_THAT(places_.expectedAt(now(3)), ElementsAre(thing(3)));
-  EXPECT_THAT(places_.expectedAt(now(4)), ElementsAre(thing(4)));
+  EXPECT_THAT(layouts_.expectedAt(now(3)), ElementsAre(objectId(3)));
+  EXPECT_THAT(layouts_.expectedAt(now(4)), ElementsAre(objectId(4)));
 }
 
-TEST_F(KnownLayoutsTest, TheNearestComesFirst) {
-  places_.add(kYesterday, ObjectId{20}, then_[3] + Eigen::Vector3f(0, 0.1F, 0));
+TEST_F(KnownLayoutsTest, ListsTheNearestFirst) {
+  layouts_.add(kYesterday, ObjectId{20}, earlier_[3] + Eigen::Vector3f(0, 0.1F, 0));
   align(recognized({0, 1, 2}));
-  EXPECT_THAT(places_.expectedAt(now(3)), ElementsAre(thing(3), ObjectId{20}));
-  EXPECT_THAT(places_.expectedAt(T_now_then_ * (then_[3] + Eigen::Vector3f(0, 0.1F, 0))),
-              ElementsAre(ObjectId{20}, thing(3)));
+  EXPECT_THAT(layouts_.expectedAt(now(3)), ElementsAre(objectId(3), ObjectId{20}));
+  EXPECT_THAT(layouts_.expectedAt(T_now_earlier_ * (earlier_[3] + Eigen::Vector3f(0, 0.1F, 0))),
+              ElementsAre(ObjectId{20}, objectId(3)));
 }
 
 }  // namespace

@@ -6,14 +6,9 @@
 #include "catalogue_test_support.h"
 #include "tests/support/qt_main_thread.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::CatalogueTest;
-using test::openOrFail;
-using test::randomView;
-using test::sameImage;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -31,7 +26,7 @@ TEST_F(ObjectDatabaseTest, StartsEmpty) {
             "005_view_places.sql,006_identity.sql,007_applied_edits.sql");
 }
 
-TEST_F(ObjectDatabaseTest, IdentityIsARandomUuidThatStays) {
+TEST_F(ObjectDatabaseTest, IdentityIsAPermanentRandomUuid) {
   const std::string identity = *openOrFail(file())->identity();
   EXPECT_THAT(identity,
               testing::MatchesRegex("[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}"));
@@ -42,7 +37,7 @@ TEST_F(ObjectDatabaseTest, IdentityIsARandomUuidThatStays) {
   EXPECT_EQ(*(*reader)->identity(), identity);
 }
 
-TEST_F(ObjectDatabaseTest, AnOlderFileGetsAnIdentity_WhenItIsOpenedToWrite) {
+TEST_F(ObjectDatabaseTest, AssignsAnIdentity_WhenAnOlderFileIsOpenedToWrite) {
   openOrFail(file());
   for (const char* sql : {"DROP TABLE identity", "DROP TABLE applied_edits",
                           "DELETE FROM schema_migrations WHERE version > 5", "PRAGMA user_version = 5"})
@@ -57,7 +52,7 @@ TEST_F(ObjectDatabaseTest, AnOlderFileGetsAnIdentity_WhenItIsOpenedToWrite) {
   EXPECT_EQ(*openOrFail(file())->identity(), identity);
 }
 
-TEST_F(ObjectDatabaseTest, AnIdentityThatIsGoneIsDamage) {
+TEST_F(ObjectDatabaseTest, NamesTheFile_WhenTheIdentityIsMissing) {
   openOrFail(file());
   askSqlite(file(), "DELETE FROM identity");
   const Result<std::string> identity = openOrFail(file())->identity();
@@ -65,7 +60,7 @@ TEST_F(ObjectDatabaseTest, AnIdentityThatIsGoneIsDamage) {
   EXPECT_THAT(identity.error().message(), testing::HasSubstr(file()));
 }
 
-TEST_F(ObjectDatabaseTest, KnowsWhichScansItHas) {
+TEST_F(ObjectDatabaseTest, HasScanOf_IsTrue_WithinTenMinutesOfItsStart) {
   const auto database = openOrFail(file());
   ASSERT_TRUE(database->sessions().begin("kitchen"));
   askSqlite(file(), "UPDATE sessions SET started = '2026-03-01T10:05:00.000Z'");
@@ -77,7 +72,18 @@ TEST_F(ObjectDatabaseTest, KnowsWhichScansItHas) {
   EXPECT_FALSE(*database->sessions().hasScanOf("yesterday"));
 }
 
-TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
+TEST_F(ObjectDatabaseTest, StoresTheCameraOfASession) {
+  const auto database = openOrFail(file());
+  const Intrinsics K{500, 501, 320, 240, 640, 480};
+  const std::int64_t with = *database->sessions().begin("desk", K),
+                     without = *database->sessions().begin("desk");
+  const auto cameras = database->sessions().cameras();
+  ASSERT_TRUE(cameras);
+  EXPECT_EQ(cameras->at(with), K);
+  EXPECT_FALSE(cameras->contains(without));
+}
+
+TEST_F(ObjectDatabaseTest, ReadsBackEqual_WhenReopened) {
   std::int64_t session = 0;
   {
     const auto database = openOrFail(file());
@@ -122,11 +128,11 @@ TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
     EXPECT_EQ(view.object, objects[0].id);
   }
   EXPECT_EQ(database->views().picture(objects[0].id)->size(),
-            cv::Size(128, 96));  // of the view that shows more
+            cv::Size(128, 96));  // of the view with more object pixels
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM sessions WHERE ended IS NOT NULL"), "1");
 }
 
-TEST_F(ObjectDatabaseTest, AViewNeedNotSayWhereItWasCut) {
+TEST_F(ObjectDatabaseTest, StoresAView_WithoutItsBox) {
   const auto database = openOrFail(file());
   ObjectView view = randomView(0);
   view.box_px = {};
@@ -137,7 +143,7 @@ TEST_F(ObjectDatabaseTest, AViewNeedNotSayWhereItWasCut) {
             "1");
 }
 
-TEST_F(ObjectDatabaseTest, DepthOnlySourcesHaveNoColor) {
+TEST_F(ObjectDatabaseTest, StoresAView_WithoutColor) {
   const auto database = openOrFail(file());
   ObjectView view = randomView(3);
   view.color = cv::Mat();
@@ -149,7 +155,7 @@ TEST_F(ObjectDatabaseTest, DepthOnlySourcesHaveNoColor) {
   EXPECT_TRUE(database->views().picture(object.id)->empty());
 }
 
-TEST_F(ObjectDatabaseTest, NumbersAreGivenOnce) {
+TEST_F(ObjectDatabaseTest, NeverReusesANumber) {
   const auto database = openOrFail(file());
   const auto add = [&] { return *database->addObject(randomView(0)); };
   const ObjectRecord one = add(), two = add();
@@ -159,11 +165,11 @@ TEST_F(ObjectDatabaseTest, NumbersAreGivenOnce) {
   EXPECT_TRUE(database->rename(one.id, "Obj_5"));
   EXPECT_EQ(add().name, "Obj_4");
   EXPECT_EQ(add().name, "Obj_6");
-  EXPECT_TRUE(database->remove({&one.id, 1}));  // hidden it still holds Obj_5
+  EXPECT_TRUE(database->remove({&one.id, 1}));  // hidden, it keeps Obj_5
   EXPECT_EQ(add().name, "Obj_7");
 }
 
-TEST_F(ObjectDatabaseTest, NamesAreUniqueAndNotEmpty) {
+TEST_F(ObjectDatabaseTest, RefusesTakenAndEmptyNames) {
   const auto database = openOrFail(file());
   const ObjectRecord one = *database->addObject(randomView(0));
   const ObjectRecord two = *database->addObject(randomView(1));
@@ -181,7 +187,7 @@ TEST_F(ObjectDatabaseTest, NamesAreUniqueAndNotEmpty) {
   EXPECT_EQ(database->object(one.id)->name, "Obj_1 (2)");
 }
 
-TEST_F(ObjectDatabaseTest, WhoGaveTheNameIsKept) {
+TEST_F(ObjectDatabaseTest, StoresWhoGaveTheName) {
   const auto database = openOrFail(file());
   const ObjectId id = database->addObject(randomView(0))->id;
   EXPECT_EQ(database->object(id)->named_by, NamedBy::program);
@@ -189,11 +195,11 @@ TEST_F(ObjectDatabaseTest, WhoGaveTheNameIsKept) {
   EXPECT_EQ(database->object(id)->named_by, NamedBy::person);
   EXPECT_TRUE(database->rename(id, "Obj_1", NamedBy::program));
   EXPECT_EQ(database->object(id)->named_by, NamedBy::program);
-  EXPECT_TRUE(database->rename(id, "Obj_1"));  // that it is called so is meant now
+  EXPECT_TRUE(database->rename(id, "Obj_1"));  // the user typed the generated name
   EXPECT_EQ(openOrFail(file())->object(id)->named_by, NamedBy::person);
 }
 
-TEST_F(ObjectDatabaseTest, WordsThatCannotBeNames) {
+TEST_F(ObjectDatabaseTest, RefusesInvalidNames) {
   const auto database = openOrFail(file());
   const ObjectId id = database->addObject(randomView(0))->id;
   const auto messageOf = [&](const std::string& name) {
@@ -217,7 +223,7 @@ TEST_F(ObjectDatabaseTest, WordsThatCannotBeNames) {
   }
 }
 
-TEST_F(ObjectDatabaseTest, UnknownSessionsAndObjectsAreRefusedWhole) {
+TEST_F(ObjectDatabaseTest, ChangesNothing_WhenSessionOrObjectIsUnknown) {
   const auto database = openOrFail(file());
   ObjectView view = randomView(0);
   view.session = 77;
@@ -231,13 +237,13 @@ TEST_F(ObjectDatabaseTest, UnknownSessionsAndObjectsAreRefusedWhole) {
   EXPECT_EQ(database->addObject(randomView(0))->name, "Obj_1");
 }
 
-TEST_F(ObjectDatabaseTest, SeveralConnectionsWriteAtOnce) {
+TEST_F(ObjectDatabaseTest, StoresAllObjects_WhenSeveralConnectionsWrite) {
   constexpr int kThreads = 3, kEach = 15;
-  const test::QtMainThread qt;
+  const QtMainThread qt;
   std::vector<std::jthread> threads;
   for (int t = 0; t < kThreads; ++t) {
     threads.emplace_back([this, t] {
-      const auto database = openOrFail(file());  // also created by whoever comes first
+      const auto database = openOrFail(file());  // the first thread creates it
       for (int i = 0; i < kEach; ++i) {
         const Result<ObjectRecord> added = database->addObject(randomView(t * 100 + i));
         EXPECT_TRUE(added) << added.error().message();
@@ -252,7 +258,7 @@ TEST_F(ObjectDatabaseTest, SeveralConnectionsWriteAtOnce) {
   EXPECT_TRUE(names.contains("Obj_" + std::to_string(kThreads * kEach)));
 }
 
-TEST_F(ObjectDatabaseTest, OneConnectionSeesWhatAnotherWrote) {
+TEST_F(ObjectDatabaseTest, ReadsChangesOfOtherConnections) {
   const auto window = openOrFail(file()), worker = openOrFail(file());
   const ObjectId id = worker->addObject(randomView(0))->id;
   EXPECT_EQ(window->object(id)->name, "Obj_1");
@@ -261,4 +267,4 @@ TEST_F(ObjectDatabaseTest, OneConnectionSeesWhatAnotherWrote) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

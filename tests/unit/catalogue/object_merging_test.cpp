@@ -4,19 +4,15 @@
 
 #include "catalogue_test_support.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::openOrFail;
-using test::randomView;
-using test::sameImage;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 using Ids = std::vector<ObjectId>;
 
-class ObjectMerging : public test::CatalogueTest {
+class ObjectMergingTest : public CatalogueTest {
  protected:
   void SetUp() override {
     database_ = openOrFail(file());
@@ -30,14 +26,14 @@ class ObjectMerging : public test::CatalogueTest {
     for (int i = 1; i < views; ++i) EXPECT_TRUE(database_->addView(view));
     return view.object;
   }
-  /// An object that this session found in that frame.
-  ObjectId addOf(std::int64_t session, int frame) {
+  /// An object with one view, of `frame` of `session`.
+  ObjectId addFrom(std::int64_t session, int frame) {
     ObjectView view = randomView(frame);
     view.session = session;
     return database_->addObject(view)->id;
   }
   [[nodiscard]] ObjectRecord record(ObjectId id) const { return *database_->object(id); }
-  /// All that a person sees, and the events, as one text each.
+  /// The visible objects and their views, as one text.
   [[nodiscard]] std::string visibleState() const {
     return askSqlite(
         file(),
@@ -50,7 +46,7 @@ class ObjectMerging : public test::CatalogueTest {
   int next_seed_ = 0;
 };
 
-TEST_F(ObjectMerging, RemoveAndRestore) {
+TEST_F(ObjectMergingTest, RestoresRemovedObjects) {
   const Ids ids{add(), add(), add()};
   const Ids first_two{ids[0], ids[1]};
   EXPECT_TRUE(database_->remove(first_two));
@@ -64,41 +60,42 @@ TEST_F(ObjectMerging, RemoveAndRestore) {
   EXPECT_EQ(database_->objects()->size(), 3U);
 }
 
-TEST_F(ObjectMerging, ViewsThatShowSomethingElseAreDiscarded) {
+TEST_F(ObjectMergingTest, DiscardedViewsBecomeARemovedObject) {
   const std::int64_t session = *database_->sessions().begin("demo"),
                      other = *database_->sessions().begin("other");
-  const auto view = [&](ObjectId object, int frame, std::int64_t of_session, float size_m) {
-    ObjectView made = randomView(frame);
-    made.object = object;
-    made.session = of_session;
-    made.size_m = Eigen::Vector3f::Constant(size_m);
-    return made;
+  const auto viewOf = [&](ObjectId object, int frame, std::int64_t of_session, float size_m) {
+    ObjectView view = randomView(frame);
+    view.object = object;
+    view.session = of_session;
+    view.size_m = Eigen::Vector3f::Constant(size_m);
+    return view;
   };
-  const ObjectId mug = database_->addObject(view({}, 1, session, 0.1F))->id;
-  ASSERT_TRUE(database_->addView(view(mug, 2, session, 0.2F)));
-  ASSERT_TRUE(database_->addView(view(mug, 3, session, 0.2F)));
-  ASSERT_TRUE(database_->addView(view(mug, 1, other, 0.2F)));
+  const ObjectId mug = database_->addObject(viewOf({}, 1, session, 0.1F))->id;
+  ASSERT_TRUE(database_->addView(viewOf(mug, 2, session, 0.2F)));
+  ASSERT_TRUE(database_->addView(viewOf(mug, 3, session, 0.2F)));
+  ASSERT_TRUE(database_->addView(viewOf(mug, 1, other, 0.2F)));
   const int one[] = {1};
   ASSERT_TRUE(database_->discardViews(mug, session, one));
   EXPECT_EQ(record(mug).views, 3);
   EXPECT_FLOAT_EQ(record(mug).size_m.x(), 0.2F);
   EXPECT_EQ(database_->views().of(mug)->front().frame_index, 2);
   EXPECT_EQ(database_->views().count().value(), 4) << "nothing is deleted";
-  // They are a removed object of their own.
-  const ObjectId left{mug.value + 1};
-  EXPECT_FALSE(*database_->mergeRoot(left));
-  ASSERT_TRUE(database_->restore(Ids{left}));
-  EXPECT_EQ(record(left).views, 1);
-  EXPECT_FLOAT_EQ(record(left).size_m.x(), 0.1F);
-  int of_left = 0;
-  ASSERT_TRUE(database_->views().forEachDescriptor(
-      0, [&](const StoredDescriptor& descriptor) { of_left += descriptor.first_object == left ? 1 : 0; }));
-  EXPECT_EQ(of_left, 1) << "recognition takes it for that one, too";
+  // They form a removed object of their own.
+  const ObjectId discarded{mug.value + 1};
+  EXPECT_FALSE(*database_->mergeRoot(discarded));
+  ASSERT_TRUE(database_->restore(Ids{discarded}));
+  EXPECT_EQ(record(discarded).views, 1);
+  EXPECT_FLOAT_EQ(record(discarded).size_m.x(), 0.1F);
+  int of_discarded = 0;
+  ASSERT_TRUE(database_->views().forEachDescriptor(0, [&](const StoredDescriptor& descriptor) {
+    of_discarded += descriptor.first_object == discarded ? 1 : 0;
+  }));
+  EXPECT_EQ(of_discarded, 1) << "recognition attributes the view to it, too";
 }
 
-TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
+TEST_F(ObjectMergingTest, DiscardingAllViewsRemovesTheObject_UnlessNamedOrConfirmed) {
   const std::int64_t session = *database_->sessions().begin("demo");
-  const ObjectId patch = addOf(session, 1), named = addOf(session, 2), confirmed = addOf(session, 3);
+  const ObjectId patch = addFrom(session, 1), named = addFrom(session, 2), confirmed = addFrom(session, 3);
   ASSERT_TRUE(database_->rename(named, "mug"));
   ASSERT_TRUE(database_->setConfirmed(Ids{confirmed}, true));
   const int frames[] = {1, 2, 3};
@@ -110,16 +107,16 @@ TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
   EXPECT_EQ(record(patch).views, 1);
 }
 
-TEST_F(ObjectMerging, DiscardedViewsOfAMergedObjectLeaveItsRoot) {
+TEST_F(ObjectMergingTest, DiscardedViewsLeaveTheRoot_WhenTheObjectIsMerged) {
   const std::int64_t session = *database_->sessions().begin("demo");
-  const Ids pair{addOf(session, 1), addOf(session, 2)};
+  const Ids pair{addFrom(session, 1), addFrom(session, 2)};
   const ObjectMerge merge = *database_->merge(pair);
   const int frames[] = {1, 2};
   ASSERT_TRUE(database_->discardViews(merge.from.front(), session, frames));
-  EXPECT_EQ(record(merge.into).views, 1) << "only that which was of the merged one";
+  EXPECT_EQ(record(merge.into).views, 1) << "only the view of the merged object was discarded";
 }
 
-TEST_F(ObjectMerging, SeveralObjectsChangeTogetherOrNotAtAll) {
+TEST_F(ObjectMergingTest, ChangesNothing_WhenOneOfSeveralObjectsIsHiddenOrUnknown) {
   const Ids ids{add(), add(), add()};
   EXPECT_TRUE(database_->remove({&ids[1], 1}));
   const std::string before = visibleState(), events = askSqlite(file(), "SELECT count(*) FROM events");
@@ -139,22 +136,22 @@ TEST_F(ObjectMerging, SeveralObjectsChangeTogetherOrNotAtAll) {
   EXPECT_TRUE(database_->objects()->empty());
 }
 
-TEST_F(ObjectMerging, TheNameOfAPersonIsKeptThenTheConfirmedThenTheOlder) {
+TEST_F(ObjectMergingTest, MergePrefersNamedThenConfirmedThenOldestAsRoot) {
   const ObjectId oldest = add(), seen_more = add(3), confirmed = add(), named = add();
   EXPECT_TRUE(database_->setConfirmed({&confirmed, 1}, true));
   EXPECT_TRUE(database_->rename(named, "Obj_50"));  // typed on purpose
 
-  EXPECT_EQ(database_->merge(Ids{seen_more, oldest})->into, oldest) << "numbers stay what they were";
+  EXPECT_EQ(database_->merge(Ids{seen_more, oldest})->into, oldest) << "the older object keeps its number";
   EXPECT_EQ(database_->merge(Ids{oldest, confirmed})->into, confirmed);
   const ObjectMerge last = *database_->merge(Ids{confirmed, named});
   EXPECT_EQ(last.into, named);
   EXPECT_THAT(last.from, ElementsAre(confirmed));
   EXPECT_EQ(record(named).name, "Obj_50");
   EXPECT_EQ(record(named).views, 6);
-  EXPECT_TRUE(record(named).confirmed) << "a person's mark is not lost";
+  EXPECT_TRUE(record(named).confirmed) << "the user's confirmation is kept";
 }
 
-TEST_F(ObjectMerging, UnmergeIsTheExactInverse) {
+TEST_F(ObjectMergingTest, UnmergeRestoresTheStateBefore) {
   const ObjectId a = add(2, {0.3F, 0.2F, 0.1F}), b = add(1, {0.5F, 0.3F, 0.2F}),
                  c = add(4, {0.9F, 0.1F, 0.1F});
   EXPECT_TRUE(database_->rename(b, "mug"));
@@ -165,7 +162,7 @@ TEST_F(ObjectMerging, UnmergeIsTheExactInverse) {
   EXPECT_EQ(merge->into, b);
   EXPECT_EQ(record(b).views, 7);
   EXPECT_TRUE(record(b).confirmed);
-  EXPECT_EQ(record(b).size_m, Eigen::Vector3f(0.9F, 0.1F, 0.1F));  // most of the views say so
+  EXPECT_EQ(record(b).size_m, Eigen::Vector3f(0.9F, 0.1F, 0.1F));  // the size in most views
   EXPECT_NE(visibleState(), before);
   EXPECT_TRUE(database_->unmerge(*merge));
   EXPECT_EQ(visibleState(), before);
@@ -178,7 +175,7 @@ TEST_F(ObjectMerging, UnmergeIsTheExactInverse) {
   EXPECT_EQ(visibleState(), before);
 }
 
-TEST_F(ObjectMerging, ViewsFollowTheirObjectsThroughMergesOfMerges) {
+TEST_F(ObjectMergingTest, ViewsFollowNestedMerges) {
   const ObjectId a = add(), b = add(2), c = add(4);
   EXPECT_TRUE(database_->setConfirmed({&b, 1}, true));
   EXPECT_TRUE(database_->rename(c, "mug"));
@@ -188,7 +185,7 @@ TEST_F(ObjectMerging, ViewsFollowTheirObjectsThroughMergesOfMerges) {
   EXPECT_EQ(database_->objects()->size(), 1U);
   EXPECT_EQ(record(c).views, 7);
   EXPECT_EQ(*database_->mergeRoot(a), c);
-  ObjectView late = randomView(4);  // a scan that still follows `a`
+  ObjectView late = randomView(4);  // from a scan that still tracks `a`
   late.object = a;
   EXPECT_TRUE(database_->addView(late));
   EXPECT_EQ(record(c).views, 8);
@@ -196,7 +193,7 @@ TEST_F(ObjectMerging, ViewsFollowTheirObjectsThroughMergesOfMerges) {
   EXPECT_FALSE(database_->unmerge({c, {a}, false}));  // it was merged into b
   EXPECT_FALSE(database_->restore({&a, 1}));
 
-  EXPECT_TRUE(database_->unmerge(second));  // b comes back with what it held of a
+  EXPECT_TRUE(database_->unmerge(second));  // b is restored together with a's views
   EXPECT_EQ(record(c).views, 4);
   EXPECT_EQ(record(b).views, 4);
   EXPECT_EQ(*database_->mergeRoot(a), b);
@@ -206,7 +203,7 @@ TEST_F(ObjectMerging, ViewsFollowTheirObjectsThroughMergesOfMerges) {
   EXPECT_TRUE(sameImage(database_->views().of(a)->front().color, randomView(0).color));
 }
 
-TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
+TEST_F(ObjectMergingTest, SizeIsTheMedianOfViewsAndPictureTheLargest) {
   const ObjectId id = add(1, {0.1F, 0.1F, 0.1F});
   const auto addView = [&](const Eigen::Vector3f& size_m, int side_px) {
     ObjectView view = randomView(next_seed_++, {side_px, side_px});
@@ -217,11 +214,11 @@ TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
   };
   addView({0.3F, 0.2F, 0.1F}, 60);
   EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.2F, 0.15F, 0.1F));
-  addView({9.0F, 8.0F, 7.0F}, 50);  // one look went wrong
+  addView({9.0F, 8.0F, 7.0F}, 50);  // one wrong view
   EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
-  addView({0, 0, 0}, 10);  // says nothing
+  addView({0, 0, 0}, 10);  // of unknown size
   EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
-  EXPECT_EQ(database_->views().picture(id)->size(), cv::Size(60, 60)) << "the look that shows most of it";
+  EXPECT_EQ(database_->views().picture(id)->size(), cv::Size(60, 60)) << "the view with most object pixels";
   const auto pictures = database_->views().pictures(id);
   ASSERT_TRUE(pictures);
   ASSERT_EQ(pictures->size(), 4U);
@@ -229,7 +226,7 @@ TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
   EXPECT_EQ((*pictures)[2].size(), cv::Size(60, 60));
 }
 
-TEST_F(ObjectMerging, WhatIsPartedFromAPartLeavesItsHolderToo) {
+TEST_F(ObjectMergingTest, UnmergedViewsLeaveTheOuterRoot_WhenMergesAreNested) {
   const Eigen::Vector3f small(0.1F, 0.1F, 0.1F), large(0.9F, 0.8F, 0.7F);
   const Ids ids{add(1, small), add(1, small), add(4, large)};
   const std::string before = visibleState();
@@ -245,18 +242,18 @@ TEST_F(ObjectMerging, WhatIsPartedFromAPartLeavesItsHolderToo) {
                                     return change.kind == CatalogueChange::Kind::views_discarded &&
                                            change.object() == ids[0];
                                   }))
-      << "whoever keeps its record reads it anew";
+      << "an event tells other connections to read its record again";
   EXPECT_EQ(record(ids[0]).views, 2);
   EXPECT_EQ(record(ids[0]).size_m, small);
   const cv::Mat picture = *database_->views().picture(ids[0]);
   EXPECT_TRUE(std::ranges::any_of(*database_->views().pictures(ids[0]), [&](const cv::Mat& own) {
     return sameImage(own, picture);
-  })) << "of its own views";
+  })) << "the picture is of its own views";
   ASSERT_TRUE(database_->unmerge(*second));
   EXPECT_EQ(visibleState(), before);
 }
 
-TEST_F(ObjectMerging, AnObjectOfUnknownSizeDoesNotKeepThatOfAnother) {
+TEST_F(ObjectMergingTest, UnmergeResetsTheSize_WhenItWasUnknown) {
   const Ids ids{add(1, Eigen::Vector3f::Zero()), add(1)};
   const Result<ObjectMerge> merge = database_->merge(ids);
   ASSERT_TRUE(merge);
@@ -267,19 +264,19 @@ TEST_F(ObjectMerging, AnObjectOfUnknownSizeDoesNotKeepThatOfAnother) {
   EXPECT_FALSE(record(ids[1]).size_m.isZero());
 }
 
-TEST_F(ObjectMerging, WhatIsWithdrawnIsNothingThatAPersonKnows) {
+TEST_F(ObjectMergingTest, WithdrawFails_WhenNamedConfirmedOrMerged) {
   const Ids ids{add(), add(), add(), add(), add()};
   EXPECT_TRUE(database_->setConfirmed(Ids{ids[0]}, true));
   EXPECT_TRUE(database_->rename(ids[1], "mug"));
   ASSERT_TRUE(database_->merge(Ids{ids[2], ids[3]}));
   for (int i = 0; i < 4; ++i)
     EXPECT_FALSE(database_->withdraw(ids[static_cast<std::size_t>(i)]).value_or(true));
-  EXPECT_EQ(database_->objects()->size(), 4U) << "others are part of the third";
+  EXPECT_EQ(database_->objects()->size(), 4U) << "another object is merged into the third";
   EXPECT_TRUE(database_->withdraw(ids[4]).value_or(false));
-  EXPECT_FALSE(database_->withdraw(ids[4]).value_or(true)) << "once";
+  EXPECT_FALSE(database_->withdraw(ids[4]).value_or(true)) << "only once";
 }
 
-TEST_F(ObjectMerging, MergeRootsAreKnownForAllObjects) {
+TEST_F(ObjectMergingTest, ModelHasTheMergeRootOfEachObject) {
   const ObjectId a = add(), b = add(2), c = add(4), d = add();
   ASSERT_TRUE(database_->setConfirmed({&b, 1}, true));
   ASSERT_TRUE(database_->rename(c, "mug"));
@@ -293,7 +290,7 @@ TEST_F(ObjectMerging, MergeRootsAreKnownForAllObjects) {
   EXPECT_THAT(found, ElementsAre(std::pair(1, 3), std::pair(2, 3), std::pair(3, 3), std::pair(4, 0)));
 }
 
-TEST_F(ObjectMerging, MergesInACircleOrIntoNothingEnd) {
+TEST_F(ObjectMergingTest, MergeRootIsNone_WhenMergesAreCyclicOrDangling) {
   const Ids ids{add(), add(), add(), add()};
   askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 2 WHERE id = 1");
   askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 1 WHERE id = 2");
@@ -313,4 +310,4 @@ TEST_F(ObjectMerging, MergesInACircleOrIntoNothingEnd) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

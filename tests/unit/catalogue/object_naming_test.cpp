@@ -1,4 +1,4 @@
-// What a person calls an object, and catalogues that are only read.
+// Names that users give to objects, and catalogues that are opened to read.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -10,17 +10,13 @@
 #include "core/base/label_name.h"
 #include "core/database/database_connection.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::CatalogueTest;
-using test::openOrFail;
-using test::randomView;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class NamedByPerson : public CatalogueTest {
+class ObjectNamingTest : public CatalogueTest {
  protected:
   ObjectId add(int seed) { return database_->addObject(randomView(seed))->id; }
   ObjectNaming name(ObjectId id, const std::string& name) {
@@ -33,7 +29,7 @@ class NamedByPerson : public CatalogueTest {
     EXPECT_TRUE(record) << record.error().message();
     return record.value_or(ObjectRecord{});
   }
-  bool takeBack(const ObjectNaming& naming) {
+  bool revert(const ObjectNaming& naming) {
     const Result<bool> done = database_->revertNaming(naming);
     EXPECT_TRUE(done) << done.error().message();
     return done.value_or(false);
@@ -42,7 +38,7 @@ class NamedByPerson : public CatalogueTest {
   std::unique_ptr<ObjectDatabase> database_ = openOrFail(file());
 };
 
-TEST_F(NamedByPerson, GivesNameAndMarkAndTakesBothBack) {
+TEST_F(ObjectNamingTest, SetsAndRevertsNameAndConfirmation) {
   const ObjectId mug = add(1);
   const ObjectNaming naming = name(mug, "  blue mug ");
   EXPECT_EQ(naming.object, mug);
@@ -50,59 +46,59 @@ TEST_F(NamedByPerson, GivesNameAndMarkAndTakesBothBack) {
   EXPECT_EQ(record(mug).name, "blue mug");
   EXPECT_TRUE(record(mug).confirmed);
   EXPECT_EQ(record(mug).named_by, NamedBy::person);
-  EXPECT_TRUE(takeBack(naming));
+  EXPECT_TRUE(revert(naming));
   EXPECT_EQ(record(mug).name, "Obj_1");
   EXPECT_FALSE(record(mug).confirmed);
   EXPECT_EQ(record(mug).named_by, NamedBy::program);
-  EXPECT_FALSE(takeBack(naming)) << "there is nothing more to take back";
+  EXPECT_FALSE(revert(naming)) << "it is reverted already";
 }
 
-TEST_F(NamedByPerson, OneAfterTheOtherIsTakenBackOneAfterTheOther) {
+TEST_F(ObjectNamingTest, RevertsNamesOneByOne) {
   const ObjectId mug = add(1);
   const ObjectNaming first = name(mug, "mug"), second = name(mug, "cup");
-  EXPECT_TRUE(takeBack(second));
+  EXPECT_TRUE(revert(second));
   EXPECT_EQ(record(mug).name, "mug");
   EXPECT_TRUE(record(mug).confirmed);
-  EXPECT_TRUE(takeBack(first));
+  EXPECT_TRUE(revert(first));
   EXPECT_EQ(record(mug).name, "Obj_1");
 }
 
-TEST_F(NamedByPerson, WhatSomebodySaidSinceStays) {
+TEST_F(ObjectNamingTest, RevertKeepsTheName_WhenItChangedSince) {
   const ObjectId mug = add(1);
   const ObjectNaming naming = name(mug, "mug");
   ASSERT_TRUE(database_->rename(mug, "jug"));
-  EXPECT_FALSE(takeBack(naming));
+  EXPECT_FALSE(revert(naming));
   EXPECT_EQ(record(mug).name, "jug");
   EXPECT_TRUE(record(mug).confirmed);
 }
 
-TEST_F(NamedByPerson, AnotherOfThatNameGetsTheViews) {
-  const ObjectId mug = add(1), found = add(2);
+TEST_F(ObjectNamingTest, MergesIntoTheObjectOfThatName) {
+  const ObjectId mug = add(1), other = add(2);
   ASSERT_TRUE(database_->rename(mug, "mug"));
-  const ObjectNaming naming = name(found, "mug");
+  const ObjectNaming naming = name(other, "mug");
   EXPECT_EQ(naming.object, mug);
   ASSERT_TRUE(naming.merge);
   EXPECT_EQ(database_->objects()->size(), 1U);
   EXPECT_EQ(record(mug).views, 2);
   EXPECT_TRUE(record(mug).confirmed);
-  EXPECT_EQ(*database_->mergeRoot(found), mug);
-  EXPECT_TRUE(takeBack(naming));
+  EXPECT_EQ(*database_->mergeRoot(other), mug);
+  EXPECT_TRUE(revert(naming));
   EXPECT_EQ(record(mug).views, 1);
-  EXPECT_FALSE(record(mug).confirmed) << "as it was";
+  EXPECT_FALSE(record(mug).confirmed) << "as before";
   EXPECT_EQ(record(mug).name, "mug");
-  EXPECT_EQ(record(found).name, "Obj_2");
+  EXPECT_EQ(record(other).name, "Obj_2");
 }
 
-TEST_F(NamedByPerson, TheOneOfThatNameHoldsBothWhateverTheOtherHas) {
+TEST_F(ObjectNamingTest, MergesIntoTheObjectOfThatName_WhenItHasFewerViews) {
   const ObjectId first = add(1), second = add(2);
   ObjectView more = randomView(3);
   more.object = second;
   ASSERT_TRUE(database_->addView(more));
-  EXPECT_EQ(name(second, "Obj_1").object, first) << "a person may type a generated name";
+  EXPECT_EQ(name(second, "Obj_1").object, first) << "a user may type a generated name";
   EXPECT_EQ(record(first).views, 3);
 }
 
-TEST_F(NamedByPerson, TwoOfWhichPersonsSaidWhatTheyAreStayTwo) {
+TEST_F(ObjectNamingTest, MergesNothing_WhenAUserNamedBoth) {
   const ObjectId mug = add(1), cup = add(2);
   name(mug, "mug");
   name(cup, "cup");
@@ -111,7 +107,7 @@ TEST_F(NamedByPerson, TwoOfWhichPersonsSaidWhatTheyAreStayTwo) {
   EXPECT_EQ(database_->objects()->size(), 2U);
 }
 
-TEST_F(NamedByPerson, WhatIsNoNameOrNoObjectIsSaid) {
+TEST_F(ObjectNamingTest, RefusesInvalidNamesAndDeletedObjects) {
   const ObjectId mug = add(1);
   EXPECT_THAT(database_->nameByUser(mug, "12").error().message(), HasSubstr("number alone"));
   EXPECT_FALSE(checkedLabelName(" \t"));
@@ -120,19 +116,9 @@ TEST_F(NamedByPerson, WhatIsNoNameOrNoObjectIsSaid) {
   EXPECT_THAT(database_->nameByUser(mug, "mug").error().message(), HasSubstr("deleted"));
 }
 
-TEST_F(NamedByPerson, SessionsKnowTheirCamera) {
-  const Intrinsics K{500, 501, 320, 240, 640, 480};
-  const std::int64_t with = *database_->sessions().begin("desk", K),
-                     without = *database_->sessions().begin("desk");
-  const auto cameras = database_->sessions().cameras();
-  ASSERT_TRUE(cameras);
-  EXPECT_EQ(cameras->at(with), K);
-  EXPECT_FALSE(cameras->contains(without));
-}
-
-class ReadCatalogue : public NamedByPerson {
+class ReadOnlyCatalogueTest : public ObjectNamingTest {
  protected:
-  std::vector<std::string> filesThere() const {
+  std::vector<std::string> filesInFolder() const {
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
       files.push_back(entry.path().filename().string());
@@ -141,11 +127,11 @@ class ReadCatalogue : public NamedByPerson {
   }
 };
 
-TEST_F(ReadCatalogue, IsNotChangedAndNothingIsLeftBesideIt) {
+TEST_F(ReadOnlyCatalogueTest, ChangesNoFiles) {
   const ObjectId mug = add(1);
   database_.reset();
   const auto before = std::filesystem::last_write_time(file());
-  const auto files = filesThere();
+  const auto files = filesInFolder();
   {
     const auto reader = ObjectDatabase::openToRead(file());
     ASSERT_TRUE(reader) << reader.error().message();
@@ -157,11 +143,11 @@ TEST_F(ReadCatalogue, IsNotChangedAndNothingIsLeftBesideIt) {
     EXPECT_THAT(refused.error().message(), HasSubstr(file()));
   }
   EXPECT_EQ(std::filesystem::last_write_time(file()), before);
-  EXPECT_EQ(filesThere(), files);
+  EXPECT_EQ(filesInFolder(), files);
 }
 
-TEST_F(ReadCatalogue, ShowsWhatAnotherProgramHasJustWritten) {
-  add(1);  // in the log, not in the file
+TEST_F(ReadOnlyCatalogueTest, ShowsNewObjects_WhenAnotherConnectionAddsThem) {
+  add(1);  // in SQLite's write-ahead log, not yet in the file
   const auto reader = ObjectDatabase::openToRead(file());
   ASSERT_TRUE(reader) << reader.error().message();
   EXPECT_EQ((*reader)->objects()->size(), 1U);
@@ -169,7 +155,7 @@ TEST_F(ReadCatalogue, ShowsWhatAnotherProgramHasJustWritten) {
   EXPECT_EQ((*reader)->objects()->size(), 2U);
 }
 
-TEST_F(ReadCatalogue, SaysWhenSomebodyBeganToWrite) {
+TEST_F(ReadOnlyCatalogueTest, IsNotStill_WhenAnotherConnectionWrote) {
   add(1);
   database_.reset();
   const auto reader = ObjectDatabase::openToRead(file());
@@ -180,7 +166,7 @@ TEST_F(ReadCatalogue, SaysWhenSomebodyBeganToWrite) {
   EXPECT_FALSE((*reader)->isStill());
 }
 
-TEST_F(ReadCatalogue, OfAnOlderVersionHasNoCameras) {
+TEST_F(ReadOnlyCatalogueTest, HasNoCameras_WhenTheVersionIsOlder) {
   add(1);
   database_.reset();
   for (const char* sql : {"ALTER TABLE sessions DROP COLUMN fx", "PRAGMA user_version = 3"})
@@ -193,24 +179,24 @@ TEST_F(ReadCatalogue, OfAnOlderVersionHasNoCameras) {
   EXPECT_THAT(ObjectDatabase::openToRead(file()).error().message(), HasSubstr("older"));
 }
 
-TEST_F(ReadCatalogue, ThatIsNoneIsSaid) {
+TEST_F(ReadOnlyCatalogueTest, ReportsWhy_WhenThereIsNoCatalogue) {
   EXPECT_THAT(ObjectDatabase::openToRead(file("none.sqlite")).error().message(),
               AllOf(HasSubstr("no database"), HasSubstr("none.sqlite")));
-  EXPECT_FALSE(std::filesystem::exists(file("none.sqlite"))) << "none is made";
+  EXPECT_FALSE(std::filesystem::exists(file("none.sqlite"))) << "none is created";
   EXPECT_THAT(ObjectDatabase::openToRead(folder_.string()).error().message(), HasSubstr("is a folder"));
   { std::ofstream(file("empty.sqlite")); }
   EXPECT_THAT(ObjectDatabase::openToRead(file("empty.sqlite")).error().message(), HasSubstr("empty"));
 }
 
-TEST_F(ReadCatalogue, HasAnyNameThatAFileMayHave) {
+TEST_F(ReadOnlyCatalogueTest, Opens_WhenTheFileNameHasSpecialCharacters) {
   add(1);
   database_.reset();
-  const std::string odd = file("what? #100% \xC3\xA4.sqlite");
-  std::filesystem::rename(file(), odd);
-  const auto reader = ObjectDatabase::openToRead(odd);
+  const std::string special = file("what? #100% \xC3\xA4.sqlite");
+  std::filesystem::rename(file(), special);
+  const auto reader = ObjectDatabase::openToRead(special);
   ASSERT_TRUE(reader) << reader.error().message();
   EXPECT_EQ((*reader)->objects()->size(), 1U);
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

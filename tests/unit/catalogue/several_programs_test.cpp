@@ -8,16 +8,12 @@
 #include "catalogue_test_support.h"
 #include "catalogue_user.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::CatalogueUser;
-using test::openOrFail;
-
-class SeveralPrograms : public test::CatalogueTest {
+class SeveralProgramsTest : public CatalogueTest {
  protected:
-  /// Identifies the file that SQLite's journal is now; 0: there is none.
+  /// Inode of SQLite's write-ahead log; 0 without one.
   [[nodiscard]] ino_t journal() const {
     struct stat info {};
     return ::stat((file() + "-wal").c_str(), &info) == 0 ? info.st_ino : 0;
@@ -25,8 +21,8 @@ class SeveralPrograms : public test::CatalogueTest {
 
   void noteStored(std::uint32_t id) { stored_.insert(id); }
 
-  /// All that was reported as stored is there, and the file is sound.
-  void expectAllThere() const {
+  /// Every object reported as stored is in the catalogue, and the file is intact.
+  void expectComplete() const {
     std::set<std::uint32_t> found;
     const auto database = openOrFail(file());
     ASSERT_NE(database, nullptr);
@@ -46,7 +42,7 @@ class SeveralPrograms : public test::CatalogueTest {
   std::map<std::uint32_t, std::string> names_;
 };
 
-TEST_F(SeveralPrograms, NothingIsLostWhenTheyComeAndGo) {
+TEST_F(SeveralProgramsTest, LosesNothing_WhenProgramsQuitOrAreKilled) {
   enum class End { quit, kill };
   int round = 0;
   for (const End window_end : {End::quit, End::kill}) {
@@ -66,19 +62,19 @@ TEST_F(SeveralPrograms, NothingIsLostWhenTheyComeAndGo) {
         names_[id] = "name_" + std::to_string(round) + "_" + std::to_string(visit);
         ASSERT_EQ(visitor.ask("rename " + std::to_string(id) + " " + names_[id]), "ok");
         visitor_end == End::quit ? visitor.quit() : visitor.kill();
-        EXPECT_EQ(journal(), journal_before) << "deleted under the program that still uses it";
+        EXPECT_EQ(journal(), journal_before) << "it must not be deleted while a program uses it";
         noteStored(window.add());
         ASSERT_EQ(window.ask("open"), "ok");
       }
       window_end == End::quit ? window.quit() : window.kill();
       ++round;
-      expectAllThere();
+      expectComplete();
     }
   }
   EXPECT_EQ(stored_.size(), 4U * 10U);
 }
 
-TEST_F(SeveralPrograms, KillNineLosesNothingThatWasStored) {
+TEST_F(SeveralProgramsTest, LosesNothing_WhenKilledWhileWriting) {
   std::size_t kills = 0;
   for (const std::size_t objects : {1U, 7U, 23U, 40U}) {
     CatalogueUser writer(file());
@@ -91,11 +87,11 @@ TEST_F(SeveralPrograms, KillNineLosesNothingThatWasStored) {
     }
     ++kills;
     ASSERT_GE(reported, objects);
-    expectAllThere();
+    expectComplete();
     EXPECT_LE(openOrFail(file())->objects()->size(), stored_.size() + kills)
-        << "more than the one of each kill that was not reported any more";
+        << "at most one unreported object for each kill";
   }
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

@@ -23,7 +23,7 @@ cv::Mat leftHalf(const cv::Size& size) {
   return mask;
 }
 
-TEST(Thumbnail, IsNormalizedOverTheObjectAndZeroBehindIt) {
+TEST(Thumbnail, IsNormalizedInsideTheMaskAndZeroOutside) {
   for (const cv::Size size : {cv::Size(32, 32), cv::Size(200, 90), cv::Size(10, 14)}) {
     const std::optional<Thumbnail> thumbnail = makeThumbnail(texture(size), leftHalf(size));
     ASSERT_TRUE(thumbnail);
@@ -38,7 +38,7 @@ TEST(Thumbnail, IsNormalizedOverTheObjectAndZeroBehindIt) {
           }
         }
       }
-      EXPECT_NEAR(sum / (14 * 32), 0, 0.35) << size;  // the two blended columns carry the rest
+      EXPECT_NEAR(sum / (14 * 32), 0, 0.35) << size;  // the two blended columns hold the rest
       EXPECT_NEAR(squares / (14 * 32), 1, 0.35) << size;
     }
   }
@@ -54,7 +54,7 @@ TEST(Thumbnail, IgnoresTheBackground) {
 TEST(Thumbnail, IgnoresContrastAndKeepsTheMeanColor) {
   const cv::Size size(64, 64);
   const cv::Mat mask(size, CV_8UC1, cv::Scalar(255));
-  // Grey: CIELAB's L is then a function of one value, nearly linear over a small range.
+  // In grey, CIELAB's L depends on one value, nearly linearly over a small range.
   cv::Mat gray, half;
   cv::cvtColor(texture(size), gray, cv::COLOR_BGR2GRAY);
   gray.convertTo(half, CV_8U, 0.25, 100);
@@ -69,13 +69,13 @@ TEST(Thumbnail, IgnoresContrastAndKeepsTheMeanColor) {
   EXPECT_LT((red.mean_lab - Eigen::Vector3f(53.2F, 80.1F, 67.2F)).norm(), 1.0F);  // CIELAB of sRGB red
 }
 
-TEST(Thumbnail, AUniformObjectIsZero) {
+TEST(Thumbnail, IsZero_WhenTheObjectIsUniform) {
   const cv::Mat gray(50, 40, CV_8UC3, cv::Scalar(120, 120, 120));
   const Thumbnail thumbnail = *makeThumbnail(gray, cv::Mat(gray.size(), CV_8UC1, cv::Scalar(255)));
   for (const std::int8_t value : thumbnail.fine) EXPECT_EQ(value, 0);
 }
 
-TEST(Thumbnail, NeedsColorAndPixels) {
+TEST(Thumbnail, IsNone_WithoutColorOrMaskedPixels) {
   const cv::Mat color = texture({20, 20});
   EXPECT_FALSE(makeThumbnail(color, cv::Mat(20, 20, CV_8UC1, cv::Scalar(0))));
   EXPECT_FALSE(makeThumbnail(cv::Mat(), cv::Mat()));

@@ -3,16 +3,13 @@
 #include "catalogue_test_support.h"
 #include "core/catalogue/view_summary.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::askSqlite;
-using test::openOrFail;
-using test::randomView;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class ViewDescriptors : public test::CatalogueTest {
+class ViewDescriptorsTest : public CatalogueTest {
  protected:
   static std::vector<StoredDescriptor> descriptorsOf(ObjectDatabase& database, std::int64_t after = 0) {
     std::vector<StoredDescriptor> found;
@@ -30,7 +27,7 @@ class ViewDescriptors : public test::CatalogueTest {
     EXPECT_EQ(stored.thumbnail.mean_lab, expected->mean_lab);
     EXPECT_EQ(stored.size_m, view.size_m);
   }
-  /// The catalogue as the first version wrote it.
+  /// Changes the catalogue's schema back to version 1.
   void downgrade() const {
     for (const char* sql : {"DROP TABLE identity",
                             "DROP TABLE applied_edits",
@@ -58,7 +55,7 @@ class ViewDescriptors : public test::CatalogueTest {
   }
 };
 
-TEST_F(ViewDescriptors, AreStoredWithTheViewsOfAllObjects) {
+TEST_F(ViewDescriptorsTest, AreStored_ForViewsOfVisibleAndDeletedObjects) {
   const auto database = openOrFail(file());
   const ObjectId first = database->addObject(randomView(0))->id;
   const ObjectId second = database->addObject(randomView(1))->id;
@@ -66,7 +63,7 @@ TEST_F(ViewDescriptors, AreStoredWithTheViewsOfAllObjects) {
   more.object = first;
   more.size_m = {0.7F, 0.6F, 0.5F};
   EXPECT_TRUE(database->addView(more));
-  EXPECT_TRUE(database->remove({&second, 1}));  // it may come back
+  EXPECT_TRUE(database->remove({&second, 1}));  // it may be restored
 
   const std::vector<StoredDescriptor> all = descriptorsOf(*database);
   ASSERT_EQ(all.size(), 3U);
@@ -78,7 +75,7 @@ TEST_F(ViewDescriptors, AreStoredWithTheViewsOfAllObjects) {
   EXPECT_EQ(descriptorsOf(*database, all[1].view).size(), 1U);
 }
 
-TEST_F(ViewDescriptors, SayWhereTheObjectWasInWhichSession) {
+TEST_F(ViewDescriptorsTest, HaveAPlace_WhenSessionAndCentroidAreKnown) {
   const auto database = openOrFail(file());
   const std::int64_t session = *database->sessions().begin("kitchen");
   ObjectView placed = randomView(0), without_session = randomView(1), without_place = randomView(2);
@@ -91,18 +88,18 @@ TEST_F(ViewDescriptors, SayWhereTheObjectWasInWhichSession) {
   ASSERT_TRUE(all[0].place);
   EXPECT_EQ(all[0].place->session, session);
   EXPECT_EQ(all[0].place->centroid_world, Eigen::Vector3f(1.5F, -0.25F, 3));
-  EXPECT_FALSE(all[1].place) << "in no world";
+  EXPECT_FALSE(all[1].place) << "without a session, coordinates have no frame";
   EXPECT_FALSE(all[2].place);
 }
 
-TEST_F(ViewDescriptors, MergesChangeNoDescriptor) {
+TEST_F(ViewDescriptorsTest, KeepTheirFirstObject_WhenItIsMerged) {
   const auto database = openOrFail(file());
   const ObjectId a = database->addObject(randomView(0))->id, b = database->addObject(randomView(1))->id;
   EXPECT_TRUE(database->merge(std::array{a, b}));
   EXPECT_EQ(descriptorsOf(*database)[1].first_object, b);
 }
 
-TEST_F(ViewDescriptors, TheCallersIsTaken) {
+TEST_F(ViewDescriptorsTest, AreTheCallers_WhenGiven) {
   const auto database = openOrFail(file());
   ObjectView view = randomView(0);
   view.descriptor = makeThumbnail(randomView(5).color, randomView(5).mask);
@@ -110,7 +107,7 @@ TEST_F(ViewDescriptors, TheCallersIsTaken) {
   expectDescribes(descriptorsOf(*database)[0], randomView(5));
 }
 
-TEST_F(ViewDescriptors, ViewsOfTheFirstVersionAreDescribedOnce) {
+TEST_F(ViewDescriptorsTest, AreComputed_WhenTheCatalogueIsOfVersionOne) {
   {
     const auto database = openOrFail(file());
     for (int i = 0; i < 230; ++i) EXPECT_TRUE(database->addObject(randomView(i)));
@@ -127,10 +124,11 @@ TEST_F(ViewDescriptors, ViewsOfTheFirstVersionAreDescribedOnce) {
   ASSERT_EQ(askSqlite(file(), "SELECT count(*) FROM sqlite_master WHERE name = 'descriptors'"), "0");
   const auto database = openOrFail(file());
   ASSERT_NE(database, nullptr);
-  EXPECT_EQ(database->views().picture(ObjectId{2})->size(), cv::Size(31, 17));  // before anything else asked
+  EXPECT_EQ(database->views().picture(ObjectId{2})->size(),
+            cv::Size(31, 17));  // the first query after the migration
   const std::vector<StoredDescriptor> all = descriptorsOf(*database);
   ASSERT_EQ(all.size(), 232U);
-  EXPECT_FALSE(all[0].place) << "nobody noted it then";
+  EXPECT_FALSE(all[0].place) << "version 1 stored no place";
   for (int i = 0; i < 230; ++i) expectDescribes(all[static_cast<std::size_t>(i)], randomView(i));
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM descriptors"), "232");
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM view_summaries WHERE object_pixels IS NULL"), "0");
@@ -139,10 +137,10 @@ TEST_F(ViewDescriptors, ViewsOfTheFirstVersionAreDescribedOnce) {
   EXPECT_EQ(database->object(ObjectId{2})->named_by, NamedBy::person);
   EXPECT_EQ(database->object(ObjectId{3})->named_by, NamedBy::program);
   EXPECT_EQ(database->object(ObjectId{1})->size_m, randomView(0).size_m);
-  EXPECT_TRUE(database->views().of(ObjectId{1})->front().frame_px.empty()) << "where it was cut is not known";
+  EXPECT_TRUE(database->views().of(ObjectId{1})->front().frame_px.empty()) << "version 1 stored no box";
 }
 
-TEST_F(ViewDescriptors, PicturesAreSmallAndDimTheBackground) {
+TEST(ListPicture, IsSmallAndDimsTheBackground) {
   cv::Mat color(400, 800, CV_8UC3, cv::Scalar(200, 200, 200)), mask(400, 800, CV_8UC1, cv::Scalar(0));
   mask(cv::Rect(0, 0, 400, 400)).setTo(255);
   const cv::Mat picture = listPicture(color, mask);
@@ -151,9 +149,9 @@ TEST_F(ViewDescriptors, PicturesAreSmallAndDimTheBackground) {
   EXPECT_EQ(picture.at<cv::Vec3b>(10, 100), cv::Vec3b(80, 80, 80));
   EXPECT_EQ(listPicture(color, {}).at<cv::Vec3b>(10, 100), cv::Vec3b(200, 200, 200));
   EXPECT_EQ(listPicture(cv::Mat(1, 1000, CV_8UC3), {}).size(), cv::Size(128, 1));
-  EXPECT_EQ(listPicture(color(cv::Rect(0, 0, 20, 10)), {}).size(), cv::Size(20, 10)) << "is not blown up";
+  EXPECT_EQ(listPicture(color(cv::Rect(0, 0, 20, 10)), {}).size(), cv::Size(20, 10)) << "it is not enlarged";
   EXPECT_TRUE(listPicture({}, mask).empty());
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

@@ -10,7 +10,7 @@ namespace {
 
 constexpr ViewIndex::Limits kLimits{0.35F, 0.5F, 16};
 
-/// Smooth random pictures; every seed another one.
+/// A smooth random picture, different for each seed.
 Thumbnail picture(unsigned seed) {
   std::mt19937 random(seed);
   Thumbnail thumbnail;
@@ -47,8 +47,8 @@ class ViewIndexTest : public testing::Test {
   ViewIndex index_;
 };
 
-// By the definition: size and colour agree, and somebody holds it.
-TEST_F(ViewIndexTest, FewViewsAreAllComparedThatSizeAndColorAllow) {
+// Expected by definition: size and colour agree, and the view's object is visible.
+TEST_F(ViewIndexTest, ReturnsAllViewsOfSimilarSizeAndColor_WhenTheyAreFew) {
   constexpr unsigned kViews = ViewIndex::kFewViews - 1;
   for (unsigned seed = 0; seed < kViews; ++seed) append(seed);
   index_.setMergeRoot({ObjectId{4}, {}});
@@ -68,7 +68,7 @@ TEST_F(ViewIndexTest, FewViewsAreAllComparedThatSizeAndColorAllow) {
   }
 }
 
-/// Squared distance of two pictures at 16 x 16, the second as it is or mirrored.
+/// Smaller squared distance of `b` at 16 x 16 to `a` or to its mirror image.
 float coarseDistance(const Thumbnail& a, const Thumbnail& b) {
   float straight = 0, mirrored = 0;
   for (int i = 0; i < 3 * Thumbnail::kCoarsePixels; ++i) {
@@ -83,9 +83,9 @@ float coarseDistance(const Thumbnail& a, const Thumbnail& b) {
   return std::min(straight, mirrored);
 }
 
-// With more views than components are fitted to; what is nearest in all 768 numbers must be among the 16 that
-// are nearest along 19 components.
-TEST_F(ViewIndexTest, OfManyViewsTheNearestAreKept) {
+// More views than the components are fitted to. The nearest view in all 768 numbers must be among the 16
+// nearest along 19 components.
+TEST_F(ViewIndexTest, ReturnsTheNearestView_WhenThereAreMany) {
   constexpr unsigned kViews = 2600;
   std::vector<Thumbnail> pictures;
   for (unsigned seed = 0; seed < kViews; ++seed) pictures.push_back(picture(seed));
@@ -102,8 +102,8 @@ TEST_F(ViewIndexTest, OfManyViewsTheNearestAreKept) {
     for (std::int8_t& value : query.fine)
       value = static_cast<std::int8_t>(std::clamp(value + static_cast<int>(random() % 21) - 10, -127, 127));
     fillCoarse(query);
-    const std::vector<int> kept = index_.shortlist({query, size(view)}, kLimits);
-    EXPECT_EQ(kept.size(), static_cast<std::size_t>(kLimits.shortlist));
+    const std::vector<int> nearest_views = index_.shortlist({query, size(view)}, kLimits);
+    EXPECT_EQ(nearest_views.size(), static_cast<std::size_t>(kLimits.shortlist));
     int nearest = -1;
     float least = 1e30F;
     for (unsigned other = 0; other < kViews; ++other) {
@@ -116,12 +116,12 @@ TEST_F(ViewIndexTest, OfManyViewsTheNearestAreKept) {
       }
     }
     ++asked;
-    found += std::ranges::find(kept, nearest) != kept.end() ? 1 : 0;
+    found += std::ranges::find(nearest_views, nearest) != nearest_views.end() ? 1 : 0;
   }
   EXPECT_EQ(found, asked);
 }
 
-TEST_F(ViewIndexTest, HiddenViewsTakeNoPlaceOfTheShortlist) {
+TEST_F(ViewIndexTest, OmitsHiddenViews) {
   for (unsigned seed = 0; seed < 200; ++seed) append(seed);
   const std::vector<int> before = shortlist(42);
   ASSERT_EQ(before.front(), 42);
