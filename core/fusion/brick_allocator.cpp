@@ -49,7 +49,8 @@ int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const Dep
   find_missing_bricks_.launch(groups, compute_->lanes().rowGroup(), frame.depth_m, frame.K.width,
                               frame.K.height, toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy),
                               toKernel(Eigen::Isometry3d(T_window_camera)), truncation_m, depth_range,
-                              window.cells(), map.pageSlots(), window.size(), crossingsOf(params_), missing_);
+                              window.cells(), map.device().pageSlots(), window.size(), crossingsOf(params_),
+                              missing_);
 
   std::vector<cl_int4> found = listMissing(map, window, frame, T_world_camera, groups);
   if (found.empty()) return 0;
@@ -77,8 +78,8 @@ std::vector<cl_int4> BrickAllocator::listMissing(const BrickMap& map, const Bric
     count_.fill(compute_->queue(), 0);
     list_missing_bricks_.launch(groups, compute_->lanes().rowGroup(), frame.depth_m, frame.K.width,
                                 frame.K.height, K, T_window_camera, truncation_m, depth_range, window.cells(),
-                                map.pageSlots(), window.size(), crossingsOf(params_), missing_, seen_, list_,
-                                static_cast<cl_int>(list_.size()), count_);
+                                map.device().pageSlots(), window.size(), crossingsOf(params_), missing_,
+                                seen_, list_, static_cast<cl_int>(list_.size()), count_);
     cl_int count = 0;
     count_.read(compute_->queue(), std::span(&count, 1));
     const auto found = static_cast<std::size_t>(count);

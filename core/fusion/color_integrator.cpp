@@ -83,13 +83,14 @@ void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const Rgb
   const auto band =
       static_cast<cl_int>(DISTANCE_ONE * std::min(kColorBand_vox / params_.truncation_vox, 1.0F));
   const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
-  color_bricks_.launch(
-      cl::NDRange(items * host_bricks_.size()), cl::NDRange(items > 1 ? items : kGroup), bricks_,
-      static_cast<cl_int>(host_bricks_.size()),
-      cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(turns_.frame)}},
-      fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int2{{K.width, K.height}}, depths_,
-      ratings_, fromBricks(T_world_color), toKernel(K_color.fx, K_color.fy, K_color.cx, K_color.cy),
-      cl_int2{{image.cols, image.rows}}, image_, band, map.distances(), map.weights(), map.colors());
+  color_bricks_.launch(cl::NDRange(items * host_bricks_.size()), cl::NDRange(items > 1 ? items : kGroup),
+                       bricks_, static_cast<cl_int>(host_bricks_.size()),
+                       cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(turns_.frame)}},
+                       fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy),
+                       cl_int2{{K.width, K.height}}, depths_, ratings_, fromBricks(T_world_color),
+                       toKernel(K_color.fx, K_color.fy, K_color.cx, K_color.cy),
+                       cl_int2{{image.cols, image.rows}}, image_, band, map.pools().distances(),
+                       map.pools().weights(), map.pools().colors());
 }
 
 void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
@@ -118,11 +119,11 @@ void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
 void ColorIntegrator::listBricks(const BrickMap& map, const RenderedView& view,
                                  const Eigen::Vector3i& first) {
   host_bricks_.clear();
-  listed_in_.resize(static_cast<std::size_t>(map.slotEnd()), 0);
+  listed_in_.resize(static_cast<std::size_t>(map.device().slotEnd()), 0);
   const float voxel_m = map.voxelSize();
   const float bricks_per_meter = 1 / (BRICK_SIDE * voxel_m);
   const auto add = [&](const Eigen::Vector3i& brick) {
-    const int slot = map.slotOf(brick);
+    const int slot = map.device().slotOf(brick);
     if (slot == BRICK_NONE) return;
     std::uint32_t& listed_in = listed_in_[static_cast<std::size_t>(slot)];
     if (std::exchange(listed_in, turns_.frame) == turns_.frame) return;

@@ -15,9 +15,9 @@
 
 namespace scantrove {
 
-/// Averages colour images into the voxels along a frame's surface (BrickMap::colors). Near and frontal views
-/// weigh more (color_bricks.cl). Each frame updates about kBricksAtATime bricks at most, in turns, which
-/// bounds its cost. The context's thread.
+/// Averages colour images into the voxels along a frame's surface (BrickPools::colors). Near and frontal
+/// views weigh more (color_bricks.cl). Each frame updates about kBricksAtATime bricks at most, in turns,
+/// which bounds its cost. The context's thread.
 class ColorIntegrator {
  public:
   static constexpr std::size_t kBricksAtATime = 512;  ///< bounds the cost of a frame

@@ -32,7 +32,8 @@ void DenseMap::integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_w
   settle();
   beginFrame(frustum, window_);
   if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) beginFrame(frustum, window_);
-  integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);
+  integrator_.integrate(bricks_, window_, bricks_.device().slotsInPages(pages_, frustum), frame,
+                        T_world_camera);
 }
 
 void DenseMap::settle() {
@@ -50,7 +51,7 @@ void DenseMap::raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics
   surface.T_world_camera = T_world_camera;
   const ViewFrustum frustum(T_world_camera, K, kNearestView_m, params_.max_depth_m);
   beginFrame(frustum, surface.window);
-  raycaster_.cast(bricks_, bricks_.slotsInPages(pages_, frustum), surface);
+  raycaster_.cast(bricks_, bricks_.device().slotsInPages(pages_, frustum), surface);
 }
 
 void DenseMap::beginFrame(const ViewFrustum& frustum, BrickWindow& window) {

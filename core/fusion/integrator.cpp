@@ -31,7 +31,7 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   first_brick_ = window.firstBrick();
   if (slots.empty()) return;
   for (const cl_int slot : slots) {
-    const Eigen::Vector3i brick = map.positionOf(slot) - window.firstBrick();
+    const Eigen::Vector3i brick = map.device().positionOf(slot) - window.firstBrick();
     host_bricks_.push_back({{brick.x(), brick.y(), brick.z(), slot}});
   }
   if (bricks_.size() < slots.size()) {
@@ -61,8 +61,8 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
   integrate_bricks_.launch(cl::NDRange(items * slots.size()), cl::NDRange(items > 1 ? items : kGroupBricks),
                            bricks_, count, readings_, T, K, frame.K.width, frame.K.height, frame.depth_m,
-                           params_.max_depth_m, truncation_m, max_weight, map.distances(), map.weights(),
-                           empty_);
+                           params_.max_depth_m, truncation_m, max_weight, map.pools().distances(),
+                           map.pools().weights(), empty_);
 }
 
 std::vector<Eigen::Vector3i> Integrator::takeEmptyBricks() {

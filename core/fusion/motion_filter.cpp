@@ -85,8 +85,8 @@ void MotionFilter::doubt(const DepthPyramid& frame, BrickMap& bricks, const Surf
   mark_surface_.launch(pixelsOf(surface.K), cl::NullRange, sent(vacated_), cl_int{vacated_.cols},
                        cl_int{vacated_.rows}, frame.levels.front().vertices_camera, surface.vertices_world,
                        toKernel(surface.T_world_camera.inverse()), toKernel(eye.x(), eye.y(), eye.z(), 0),
-                       apart, bricks.voxelSize(), params_.truncation_vox * bricks.voxelSize(), bricks.table(),
-                       bricks.tableMask(), bricks.weights());
+                       apart, bricks.voxelSize(), params_.truncation_vox * bricks.voxelSize(),
+                       bricks.device().table(), bricks.device().tableMask(), bricks.pools().weights());
 }
 
 const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const BrickMap& bricks) {
@@ -95,8 +95,8 @@ const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const Brick
   fresh_counts_.fill(compute_.queue(), 0);
   leave_out_fresh_.launch(compute_.lanes().inTurn(pixels), compute_.lanes().inTurnGroup(),
                           surface.vertices_world, surface.normals_world, static_cast<cl_int>(pixels),
-                          surface.window.cells(), bricks.pageSlots(), surface.window.size(),
-                          surface.window.first(), bricks.weights(), 1 / bricks.voxelSize(), kSettled,
+                          surface.window.cells(), bricks.device().pageSlots(), surface.window.size(),
+                          surface.window.first(), bricks.pools().weights(), 1 / bricks.voxelSize(), kSettled,
                           settled_normals_, fresh_counts_);
   std::array<cl_int, 2> counts{};
   fresh_counts_.read(compute_.queue(), std::span<cl_int>(counts));

@@ -38,7 +38,8 @@ void Raycaster::cast(const BrickMap& map, std::span<const cl_int> slots, Surface
   const Lanes& lanes = compute_->lanes();
   cast_rays_.launch(lanes.overBlocks(K.width, K.height, RAY_BLOCKS(lanes.count())), lanes.blockGroup(),
                     ranges_, K.width, K.height, kernel_K, T_window_camera, params_.truncation_vox,
-                    window.cells(), map.pageSlots(), window.size(), map.distances(), inverse_depths_);
+                    window.cells(), map.device().pageSlots(), window.size(), map.pools().distances(),
+                    inverse_depths_);
   const cl::NDRange rows = lanes.overRows(K.width, K.height);
   fit_planes_.launch(rows, lanes.rowGroup(), inverse_depths_, K.width, K.height, cl_float2{{K.fx, K.fy}},
                      planes_);
@@ -70,7 +71,7 @@ void Raycaster::findRanges(const BrickMap& map, std::span<const cl_int> slots, c
                      static_cast<int>(std::clamp(to, -1.0F, last)));
   };
   for (const cl_int slot : slots) {
-    const Eigen::Vector3d brick = (map.positionOf(slot).cast<double>().array() + 0.5) * size_m;
+    const Eigen::Vector3d brick = (map.device().positionOf(slot).cast<double>().array() + 0.5) * size_m;
     const Eigen::Vector3f c = (T_camera_world * brick).cast<float>();
     const float nearest = std::max(c.z() - radius_m, kNearestView_m);
     const float farthest = std::max(std::min(c.z() + radius_m, params_.max_depth_m), nearest);

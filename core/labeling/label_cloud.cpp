@@ -39,9 +39,9 @@ std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const Br
   fitStamps(bricks);
   const Lanes& lanes = compute_.lanes();
   project_labels_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
-                         surface.vertices_world, cl_int{pixels}, surface.window.cells(), bricks.pageSlots(),
-                         surface.window.size(), surface.window.first(), bricks.labels(), stamps_,
-                         1.0F / bricks.voxelSize(), projected_);
+                         surface.vertices_world, cl_int{pixels}, surface.window.cells(),
+                         bricks.device().pageSlots(), surface.window.size(), surface.window.first(),
+                         bricks.pools().labels(), stamps_, 1.0F / bricks.voxelSize(), projected_);
   projected_host_.resize(static_cast<std::size_t>(pixels));
   projected_.read(compute_.queue(), std::span<cl_uint>(projected_host_));
   projected_view_ = surface.T_world_camera;
@@ -74,7 +74,7 @@ std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface,
     map.allocate(missing);
     fitStamps(map);
     for (const Eigen::Vector3i& brick : missing) {
-      if (const int slot = map.slotOf(brick); slot != BRICK_NONE)
+      if (const int slot = map.device().slotOf(brick); slot != BRICK_NONE)
         stamps_.fill(compute_.queue(), LABEL_BRICK_NEW, static_cast<std::size_t>(slot), 1);
     }
     missing = writeLabels(surface, params, true, map);
@@ -115,18 +115,18 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
   const Lanes& lanes = compute_.lanes();
   update_labels_.launch(
       lanes.inTurn(pixels_host_.size()), lanes.inTurnGroup(), surface.vertices_world, pixels_, new_labels_,
-      static_cast<cl_int>(pixels_host_.size()), surface.window.cells(), map.pageSlots(),
-      surface.window.size(), surface.window.first(), map.table(), map.tableMask(),
+      static_cast<cl_int>(pixels_host_.size()), surface.window.cells(), map.device().pageSlots(),
+      surface.window.size(), surface.window.first(), map.device().table(), map.device().tableMask(),
       toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width},
       map.voxelSize(), params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},
-      cl_int{stamp_}, cl_int{only_new ? 1 : 0}, map.labels(), fragment_voxels_, stamps_, counts_, touched_,
-      missing_, cl_int{kMissingCapacity});
+      cl_int{stamp_}, cl_int{only_new ? 1 : 0}, map.pools().labels(), fragment_voxels_, stamps_, counts_,
+      touched_, missing_, cl_int{kMissingCapacity});
   std::array<cl_int, 2> counts{};
   counts_.read(compute_.queue(), std::span<cl_int>(counts));
   touched_slots_.resize(static_cast<std::size_t>(counts[0]));
   touched_.read(compute_.queue(), std::span<cl_int>(touched_slots_));
   // Slots may be reassigned before the caller reads them, so store positions.
-  for (const cl_int slot : touched_slots_) touched_bricks_.push_back(map.positionOf(slot));
+  for (const cl_int slot : touched_slots_) touched_bricks_.push_back(map.device().positionOf(slot));
   std::vector<cl_int4> found(static_cast<std::size_t>(std::min(counts[1], cl_int{kMissingCapacity})));
   missing_.read(compute_.queue(), std::span<cl_int4>(found));
   std::vector<Eigen::Vector3i> missing;
@@ -137,7 +137,7 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
 }
 
 void LabelCloud::fitStamps(const BrickMap& map) {
-  const auto slots = static_cast<std::size_t>(std::max(1, map.slotEnd()));
+  const auto slots = static_cast<std::size_t>(std::max(1, map.device().slotEnd()));
   if (stamps_.size() >= slots) return;
   fit(stamps_, slots);
   fit(touched_, slots);
@@ -158,8 +158,8 @@ void LabelCloud::relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fra
   fit(listed_, listed.size());
   listed_.write(compute_.queue(), listed);
   relabel_voxels_.launch(cl::NDRange(listed.size()), cl::NDRange(64), listed_,
-                         static_cast<cl_int>(listed.size()), fragment.value, map.table(), map.tableMask(),
-                         map.labels(), fragment_voxels_);
+                         static_cast<cl_int>(listed.size()), fragment.value, map.device().table(),
+                         map.device().tableMask(), map.pools().labels(), fragment_voxels_);
   fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
 }
 
@@ -181,13 +181,14 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
     order.push_back(i);
   };
   for (std::size_t i = 0; i < bricks.size(); ++i) {
-    if (const int slot = map.slotOf(bricks[i]); slot != BRICK_NONE) {
+    if (const int slot = map.device().slotOf(bricks[i]); slot != BRICK_NONE) {
       list(i, slot);
     } else if (const int page = map.pages().pageWith(bricks[i]); page != BRICK_NONE) {
       in_file[page].push_back(i);
     }
   }
-  extractListed(listed, map.distances(), map.labels(), map.colors(), map.voxelSize(), truncation_vox, found);
+  extractListed(listed, map.pools().distances(), map.pools().labels(), map.pools().colors(), map.voxelSize(),
+                truncation_vox, found);
   for (const auto& [page, asked] : in_file) {
     const std::vector<Eigen::Vector3i> in_page = map.bricksOfPage(page);
     const std::optional<StoredPage> stored = map.readStored(page);

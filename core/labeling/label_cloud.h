@@ -15,7 +15,7 @@
 
 namespace scantrove {
 
-/// The label cloud (thesis 3.3.3): the fragment of every voxel, stored in the brick map (BrickMap::labels),
+/// The label cloud (thesis 3.3.3): the fragment of every voxel, stored in the brick map (BrickPools::labels),
 /// and the number of voxels of each fragment, on the device or in the file. The context's thread.
 class LabelCloud {
  public:

@@ -49,7 +49,7 @@ Error MappingPipeline::outOfMemory(int frame_index) const {
   std::ostringstream voxels;
   voxels << voxelSizeFor(times, params_.fusion.voxel_size_m);
   return {"The OpenCL device " + compute_.deviceName() + " ran out of memory in frame " +
-              std::to_string(frame_index) + ", with " + std::to_string(bricks().bricksHere()) +
+              std::to_string(frame_index) + ", with " + std::to_string(bricks().device().brickCount()) +
               " bricks of map.",
           "What was scanned until then is kept. Scan " +
               std::string(frame_count_ ? "the whole recording" : "twice as much") +

@@ -290,7 +290,7 @@ void ScanRun::fillReport(ScanReport& report) {
             [](const auto& a, const auto& b) { return a.mean_ms > b.mean_ms; });
   report.peak_memory_mb = peakMemoryMegabytes();
   report.map_bricks = pipeline.bricks().brickCount();
-  report.map_megabytes = static_cast<double>(pipeline.bricks().deviceBytes()) / (1 << 20);
+  report.map_megabytes = static_cast<double>(pipeline.bricks().device().bytes()) / (1 << 20);
   report.map_disk_megabytes = static_cast<double>(pipeline.bricks().storedBytes()) / (1 << 20);
   const MapReadout::RegionCount regions = pipeline.readout().regionCount();
   report.regions = regions.regions;

@@ -138,7 +138,7 @@ Result<void> SnapshotBuilder::post(MappingPipeline& pipeline, const ScanProgress
   }
   snapshot->fps = fps_;
   snapshot->map_bricks = pipeline.bricks().brickCount();
-  snapshot->map_megabytes = static_cast<double>(pipeline.bricks().deviceBytes()) / (1 << 20);
+  snapshot->map_megabytes = static_cast<double>(pipeline.bricks().device().bytes()) / (1 << 20);
   snapshot->region_count = countRegions(result_.view);
   last_post_ = std::chrono::steady_clock::now();
   mailbox_.post(std::move(snapshot));

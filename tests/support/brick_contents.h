@@ -10,7 +10,7 @@ namespace scantrove::test {
 /// What a pool of the map holds in the slots that were ever handed out.
 template <class T>
 [[nodiscard]] std::vector<T> usedPart(ComputeContext& compute, const BrickMap& map, const Buffer<T>& pool) {
-  std::vector<T> voxels(static_cast<std::size_t>(map.slotEnd()) * BRICK_VOXELS);
+  std::vector<T> voxels(static_cast<std::size_t>(map.device().slotEnd()) * BRICK_VOXELS);
   pool.read(compute.queue(), std::span<T>(voxels));
   return voxels;
 }
@@ -24,8 +24,8 @@ struct HostVoxel {
 
 /// Of the slots that were ever handed out.
 [[nodiscard]] inline std::vector<HostVoxel> usedVoxels(ComputeContext& compute, const BrickMap& map) {
-  const std::vector<cl_short> distances = usedPart(compute, map, map.distances());
-  const std::vector<cl_uchar> weights = usedPart(compute, map, map.weights());
+  const std::vector<cl_short> distances = usedPart(compute, map, map.pools().distances());
+  const std::vector<cl_uchar> weights = usedPart(compute, map, map.pools().weights());
   std::vector<HostVoxel> voxels;
   for (std::size_t i = 0; i < distances.size(); ++i) voxels.push_back({distances[i], weights[i]});
   return voxels;
@@ -39,8 +39,8 @@ inline void writeVoxels(ComputeContext& compute, BrickMap& map, const std::vecto
     distances.push_back(static_cast<cl_short>(voxel.distance));
     weights.push_back(static_cast<cl_uchar>(voxel.weight));
   }
-  map.distances().write(compute.queue(), distances);
-  map.weights().write(compute.queue(), weights);
+  map.pools().distances().write(compute.queue(), distances);
+  map.pools().weights().write(compute.queue(), weights);
 }
 
 /// Of all pages.

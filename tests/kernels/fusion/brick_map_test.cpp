@@ -18,7 +18,8 @@ namespace {
 std::vector<cl_int> slotsInView(const BrickMap& map, const Eigen::Isometry3d& T_world_camera,
                                 const Intrinsics& K, float min_depth_m, float max_depth_m) {
   const ViewFrustum frustum(T_world_camera, K, double{min_depth_m}, double{max_depth_m});
-  return map.slotsInPages(map.pages().pagesInView(frustum, BRICK_SIDE * double{map.voxelSize()}), frustum);
+  return map.device().slotsInPages(map.pages().pagesInView(frustum, BRICK_SIDE * double{map.voxelSize()}),
+                                   frustum);
 }
 
 using Brick = Eigen::Vector3i;
@@ -44,13 +45,13 @@ std::vector<Brick> randomBricks(std::size_t count, int extent, unsigned seed) {
 
 void expectDeviceTableIsTheHosts(ComputeContext& compute, const BrickMap& map,
                                  const std::vector<Brick>& bricks) {
-  const std::vector<BrickEntry> table = map.table().read(compute.queue());
-  ASSERT_EQ(table.size(), map.tableMask() + std::size_t{1});
+  const std::vector<BrickEntry> table = map.device().table().read(compute.queue());
+  ASSERT_EQ(table.size(), map.device().tableMask() + std::size_t{1});
   for (const Brick& brick : bricks) {
-    const int slot = map.slotOf(brick);
+    const int slot = map.device().slotOf(brick);
     ASSERT_NE(slot, BRICK_NONE);
-    ASSERT_EQ(map.positionOf(slot), brick);
-    ASSERT_EQ(lookUp(table, map.tableMask(), brick), slot);
+    ASSERT_EQ(map.device().positionOf(slot), brick);
+    ASSERT_EQ(lookUp(table, map.device().tableMask(), brick), slot);
   }
   const auto used =
       std::count_if(table.begin(), table.end(), [](const BrickEntry& e) { return e.slot != BRICK_NONE; });
@@ -62,16 +63,16 @@ TEST(BrickMap, HandsOutSlotsInOrderAndIgnoresDuplicates) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, 0.01F);
     EXPECT_EQ(map.brickCount(), 0);
-    EXPECT_EQ(map.slotOf({0, 0, 0}), BRICK_NONE);
+    EXPECT_EQ(map.device().slotOf({0, 0, 0}), BRICK_NONE);
     EXPECT_EQ(map.allocate({}), 0);
     const std::vector<Brick> bricks{{0, 0, 0}, {-1, -1, -1}, {0, 0, 0}, {7, -8, 9}, {-1, -1, -1}};
     EXPECT_EQ(map.allocate(bricks), 3);
     EXPECT_EQ(map.allocate(bricks), 0);
     EXPECT_EQ(map.brickCount(), 3);
-    EXPECT_EQ(map.slotOf({0, 0, 0}), 0);
-    EXPECT_EQ(map.slotOf({-1, -1, -1}), 1);
-    EXPECT_EQ(map.slotOf({7, -8, 9}), 2);
-    EXPECT_EQ(map.slotOf({7, -8, 8}), BRICK_NONE);
+    EXPECT_EQ(map.device().slotOf({0, 0, 0}), 0);
+    EXPECT_EQ(map.device().slotOf({-1, -1, -1}), 1);
+    EXPECT_EQ(map.device().slotOf({7, -8, 9}), 2);
+    EXPECT_EQ(map.device().slotOf({7, -8, 8}), BRICK_NONE);
     expectDeviceTableIsTheHosts(compute, map, {{0, 0, 0}, {-1, -1, -1}, {7, -8, 9}});
   });
 }
@@ -93,11 +94,12 @@ TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
       all.insert(all.end(), more.begin(), more.end());
     }
     EXPECT_GT(map.brickCount(), 48000);
-    EXPECT_GE(map.slotCapacity(), map.brickCount());
-    EXPECT_EQ(map.distances().size(), static_cast<std::size_t>(map.slotCapacity()) * BRICK_VOXELS);
-    EXPECT_EQ(map.weights().size(), map.distances().size());
-    EXPECT_EQ(map.labels().size(), map.distances().size());
-    EXPECT_GT(map.deviceBytes(), map.distances().size() * VOXEL_BYTES);
+    EXPECT_GE(map.device().slotCapacity(), map.brickCount());
+    EXPECT_EQ(map.pools().distances().size(),
+              static_cast<std::size_t>(map.device().slotCapacity()) * BRICK_VOXELS);
+    EXPECT_EQ(map.pools().weights().size(), map.pools().distances().size());
+    EXPECT_EQ(map.pools().labels().size(), map.pools().distances().size());
+    EXPECT_GT(map.device().bytes(), map.pools().distances().size() * VOXEL_BYTES);
     expectDeviceTableIsTheHosts(compute, map, all);
 
     const std::vector<test::HostVoxel> voxels = test::usedVoxels(compute, map);
@@ -154,13 +156,13 @@ TEST(BrickMap, FindsEveryBrickInViewOnce) {
       EXPECT_EQ(found.size(), slots.size()) << "a slot twice";
       const Eigen::Isometry3d T_camera_world = T.inverse();
       for (int slot = 0; slot < map.brickCount(); ++slot) {
-        if (isSeen(map.positionOf(slot), kBrick, T_camera_world, K, 0.3, max_depth)) {
-          ASSERT_TRUE(found.contains(slot)) << map.positionOf(slot).transpose();
+        if (isSeen(map.device().positionOf(slot), kBrick, T_camera_world, K, 0.3, max_depth)) {
+          ASSERT_TRUE(found.contains(slot)) << map.device().positionOf(slot).transpose();
         }
       }
       // And little more: nothing farther outside than a brick's sphere.
       for (const cl_int slot : slots) {
-        const Eigen::Vector3d center = kBrick * (map.positionOf(slot).cast<double>().array() + 0.5);
+        const Eigen::Vector3d center = kBrick * (map.device().positionOf(slot).cast<double>().array() + 0.5);
         const double z = (T_camera_world * center).z();
         EXPECT_GT(z, 0.3 - kBrick);
         EXPECT_LT(z, max_depth + kBrick);
@@ -180,7 +182,7 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
       // Bricks with coordinates of 8 and more lie in the second page of z; page 1 is the only one here.
       const std::size_t local =
           static_cast<std::size_t>(brick.x() + PAGE_SIDE * (brick.y() + PAGE_SIDE * (brick.z() - PAGE_SIDE)));
-      return map.pageSlots().read(compute.queue())[PAGE_BRICKS + local];
+      return map.device().pageSlots().read(compute.queue())[PAGE_BRICKS + local];
     };
     ASSERT_THAT(inView(), testing::ElementsAre(0, 1, 2));
     ASSERT_EQ(slotOnDevice({1, 0, 10}), 1);
@@ -190,7 +192,7 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
     EXPECT_THAT(inView(), testing::ElementsAre(0, 2));
     EXPECT_LT(slotOnDevice({1, 0, 10}), 0);
     EXPECT_EQ(slotOnDevice({0, 1, 10}), 2);
-    EXPECT_EQ(map.slotOf({1, 0, 10}), 1);
+    EXPECT_EQ(map.device().slotOf({1, 0, 10}), 1);
     EXPECT_EQ(map.brickCount(), 3);
 
     // Awake again in its old slot, and named in the same place as before.

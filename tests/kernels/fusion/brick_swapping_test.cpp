@@ -76,12 +76,12 @@ class TwoMaps {
 
   /// What lies in view, as kernels find it.
   void expectSameInView() {
-    const std::vector<BrickEntry> table = small.table().read(compute_.queue());
-    const std::vector<cl_int> page_slots = small.pageSlots().read(compute_.queue());
-    const std::vector<cl_int> all_page_slots = large.pageSlots().read(compute_.queue());
+    const std::vector<BrickEntry> table = small.device().table().read(compute_.queue());
+    const std::vector<cl_int> page_slots = small.device().pageSlots().read(compute_.queue());
+    const std::vector<cl_int> all_page_slots = large.device().pageSlots().read(compute_.queue());
     for (const auto& [brick, expected] : model) {
       if (!isInView(brick)) continue;
-      const int slot = small.slotOf(brick);
+      const int slot = small.device().slotOf(brick);
       ASSERT_NE(slot, BRICK_NONE) << brick.transpose();
       ASSERT_EQ(lookUp(table, brick), slot);
       ASSERT_EQ(read(small, slot), expected.held);
@@ -95,7 +95,7 @@ class TwoMaps {
         const int there = all_page_slots[static_cast<std::size_t>(block_of_all) * PAGE_BRICKS + i];
         ASSERT_EQ(std::min(here, 0), std::min(there, 0)) << "empty space looks different to rays";
         if (here >= 0) {
-          ASSERT_EQ(small.positionOf(here), large.positionOf(there));
+          ASSERT_EQ(small.device().positionOf(here), large.device().positionOf(there));
         }
       }
     }
@@ -118,10 +118,10 @@ class TwoMaps {
         ASSERT_EQ(brickOf(copy->contents, i), expected.held);
         ASSERT_EQ(copy->inactive[localBrick(bricks[i])], expected.inactive);
         if (!stored) {
-          ASSERT_EQ(read(small, small.slotOf(bricks[i])), expected.held);
+          ASSERT_EQ(read(small, small.device().slotOf(bricks[i])), expected.held);
           continue;
         }
-        ASSERT_EQ(small.slotOf(bricks[i]), BRICK_NONE);
+        ASSERT_EQ(small.device().slotOf(bricks[i]), BRICK_NONE);
         ASSERT_EQ(brickOf(stored->contents, i), expected.held);
         ASSERT_EQ(stored->inactive[localBrick(bricks[i])], expected.inactive);
       }
@@ -163,21 +163,21 @@ class TwoMaps {
       held.weights[i] = static_cast<cl_uchar>(is_seen ? 1 + random_() % 255 : 0);
     }
     for (BrickMap* map : {&small, &large}) {
-      const auto start = static_cast<std::size_t>(map->slotOf(brick)) * kVoxels;
-      map->distances().write(compute_.queue(), held.distances, start);
-      map->weights().write(compute_.queue(), held.weights, start);
-      map->labels().write(compute_.queue(), held.labels, start);
-      map->colors().write(compute_.queue(), held.colors, start);
+      const auto start = static_cast<std::size_t>(map->device().slotOf(brick)) * kVoxels;
+      map->pools().distances().write(compute_.queue(), held.distances, start);
+      map->pools().weights().write(compute_.queue(), held.weights, start);
+      map->pools().labels().write(compute_.queue(), held.labels, start);
+      map->pools().colors().write(compute_.queue(), held.colors, start);
     }
   }
 
   [[nodiscard]] BrickContents read(const BrickMap& map, int slot) const {
     const std::size_t start = static_cast<std::size_t>(slot) * kVoxels;
     BrickContents held(1);
-    map.distances().read(compute_.queue(), std::span(held.distances), start);
-    map.weights().read(compute_.queue(), std::span(held.weights), start);
-    map.labels().read(compute_.queue(), std::span(held.labels), start);
-    map.colors().read(compute_.queue(), std::span(held.colors), start);
+    map.pools().distances().read(compute_.queue(), std::span(held.distances), start);
+    map.pools().weights().read(compute_.queue(), std::span(held.weights), start);
+    map.pools().labels().read(compute_.queue(), std::span(held.labels), start);
+    map.pools().colors().read(compute_.queue(), std::span(held.colors), start);
     return held;
   }
 
@@ -192,7 +192,7 @@ class TwoMaps {
   }
 
   [[nodiscard]] int lookUp(const std::vector<BrickEntry>& table, const Brick& brick) const {
-    const cl_uint mask = small.tableMask();
+    const cl_uint mask = small.device().tableMask();
     cl_uint i = brick_hash(brick.x(), brick.y(), brick.z()) & mask;
     while (table[i].slot != BRICK_NONE && Brick(table[i].x, table[i].y, table[i].z) != brick)
       i = (i + 1) & mask;
@@ -224,8 +224,8 @@ TEST(BrickSwapping, WhatIsInViewIsWhatAMapWithMemoryForAllWouldHold) {
       EXPECT_GT(maps.small.brickCount(), 4 * kBudget) << "all would have fitted";
       EXPECT_GT(most_on_disk, 1000000U);
       // A view of 8 pages holds fewer bricks than there is room for.
-      EXPECT_LE(maps.small.slotEnd(), kBudget);
-      EXPECT_LT(maps.small.deviceBytes(), maps.large.deviceBytes() / 4);
+      EXPECT_LE(maps.small.device().slotEnd(), kBudget);
+      EXPECT_LT(maps.small.device().bytes(), maps.large.device().bytes() / 4);
     }
   });
 }
@@ -247,7 +247,7 @@ TEST(BrickSwapping, WithoutADiskTheMapGoesOnBeyondItsBudgetAndSaysSoOnce) {
     for (const bool at_once : {false, true}) {
       BrickMap map(compute, 0.01F, {kBudget, at_once, folder.path() / "nowhere"});
       map.allocate(row(0, 150));
-      map.labels().fill(compute.queue(), 77U, 0, static_cast<std::size_t>(kBudget) * kVoxels);
+      map.pools().labels().fill(compute.queue(), 77U, 0, static_cast<std::size_t>(kBudget) * kVoxels);
       EXPECT_FALSE(map.takeFailure());
       lookAtNothing(map);
       EXPECT_EQ(map.allocate(row(150, 400)), 1000);
@@ -259,9 +259,9 @@ TEST(BrickSwapping, WithoutADiskTheMapGoesOnBeyondItsBudgetAndSaysSoOnce) {
       map.allocate(row(400, 600));
       EXPECT_FALSE(map.takeFailure());
       EXPECT_EQ(map.brickCount(), 2400);
-      EXPECT_EQ(map.bricksHere(), 2400);
+      EXPECT_EQ(map.device().brickCount(), 2400);
       std::vector<cl_uint> labels(2400 * kVoxels);
-      map.labels().read(compute.queue(), std::span<cl_uint>(labels));
+      map.pools().labels().read(compute.queue(), std::span<cl_uint>(labels));
       for (std::size_t i = 0; i < labels.size(); ++i)
         ASSERT_EQ(labels[i], i < kBudget * kVoxels ? 77U : 0U) << i;
     }
@@ -273,14 +273,14 @@ TEST(BrickSwapping, AViewThatNeedsMoreThanTheBudgetGetsIt) {
     const test::TemporaryFolder folder;
     BrickMap map(compute, 0.01F, {kBudget, compute.isCpu(), folder.path()});
     map.allocate(row(0, 400));
-    EXPECT_EQ(map.bricksHere(), 1600);
-    EXPECT_GE(map.slotCapacity(), 1600);
+    EXPECT_EQ(map.device().brickCount(), 1600);
+    EXPECT_GE(map.device().slotCapacity(), 1600);
     EXPECT_FALSE(map.takeFailure());
     EXPECT_EQ(map.storedBytes(), 0U);
     // Out of view, some make room for what is new.
     lookAtNothing(map);
     map.allocate(row(1000, 1010));
-    EXPECT_EQ(map.slotEnd(), 1600);
+    EXPECT_EQ(map.device().slotEnd(), 1600);
     EXPECT_GT(map.storedBytes(), 0U);
     EXPECT_EQ(map.brickCount(), 1640);
   });
@@ -305,7 +305,7 @@ TEST(BrickSwapping, AnUnreadablePageIsMissingAndSaysSo) {
     map.allocate(row(0, 100));
     lookAtNothing(map);
     map.allocate(row(200, 260));
-    ASSERT_EQ(map.slotOf({0, 0, 0}), BRICK_NONE);
+    ASSERT_EQ(map.device().slotOf({0, 0, 0}), BRICK_NONE);
     const int count = map.brickCount();
     const int file = openStoreIn(folder.path());
     ASSERT_GE(file, 0);
@@ -317,9 +317,9 @@ TEST(BrickSwapping, AnUnreadablePageIsMissingAndSaysSo) {
     ASSERT_TRUE(failure);
     EXPECT_THAT(failure->message(), HasSubstr("cannot be read back"));
     EXPECT_EQ(map.brickCount(), count - 4 * PAGE_SIDE);
-    EXPECT_EQ(map.slotOf({0, 0, 0}), BRICK_NONE);
+    EXPECT_EQ(map.device().slotOf({0, 0, 0}), BRICK_NONE);
     EXPECT_EQ(map.allocate(std::vector<Brick>{{0, 0, 0}}), 1) << "its place can be used again";
-    EXPECT_NE(map.slotOf({0, 0, 0}), BRICK_NONE);
+    EXPECT_NE(map.device().slotOf({0, 0, 0}), BRICK_NONE);
   });
 }
 

@@ -123,7 +123,8 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
           if (voxels[i].weight == 0 || std::abs(voxels[i].distance) > 32767 * 1.5 / 4) continue;
           const Eigen::Vector3i local(static_cast<int>(i % 8), static_cast<int>(i / 8 % 8),
                                       static_cast<int>(i / 64 % 8));
-          const Eigen::Vector3i voxel = 8 * map.positionOf(static_cast<int>(i / BRICK_VOXELS)) + local;
+          const Eigen::Vector3i voxel =
+              8 * map.device().positionOf(static_cast<int>(i / BRICK_VOXELS)) + local;
           const auto answer =
               view.at((voxel.cast<double>().array() + 0.5) * static_cast<double>(params.voxel_size_m));
           Expected& of_voxel = expected[i];
@@ -134,7 +135,7 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
         ++views;
       }
     }
-    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.colors());
+    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());
     int compared = 0;
     int other_views = 0;
     int colored_elsewhere = 0;
@@ -185,14 +186,14 @@ TEST(ColorIntegrator, WhatStandsBehindKeepsItsColor) {
     for (int i = 0; i < 3; ++i) rig.show(wall, K, T, std::nullopt, size);
     for (int i = 0; i < 5; ++i) rig.show(with_board, K, T, besideIt(), size);
     const BrickMap& map = rig.map().bricks();
-    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.colors());
+    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());
     int of_wall = 0;
     int of_board = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
       if (colors[i] == 0) continue;
-      const double z =
-          (map.positionOf(static_cast<int>(i / BRICK_VOXELS)).z() * 8 + static_cast<int>(i / 64 % 8) + 0.5) *
-          0.01;
+      const double z = (map.device().positionOf(static_cast<int>(i / BRICK_VOXELS)).z() * 8 +
+                        static_cast<int>(i / 64 % 8) + 0.5) *
+                       0.01;
       const bool is_wall = z > 1;
       ++(is_wall ? of_wall : of_board);
       ASSERT_EQ(rgbOf(colors[i]), is_wall ? Eigen::Vector3d(20, 200, 40) : Eigen::Vector3d(220, 30, 60)) << z;
@@ -218,13 +219,14 @@ TEST(ColorIntegrator, ColorsNothingWhereThereIsNoReading) {
     shot.depth.levels.front().vertices_camera.write(compute.queue(), std::span<const cl_float4>(readings));
     rig.paint(shot);
     const BrickMap& map = rig.map().bricks();
-    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.colors());
+    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());
     int colored = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
       if (colors[i] == 0) continue;
       ++colored;
-      const double x =
-          (map.positionOf(static_cast<int>(i / BRICK_VOXELS)).x() * 8 + static_cast<int>(i % 8) + 0.5) * 0.01;
+      const double x = (map.device().positionOf(static_cast<int>(i / BRICK_VOXELS)).x() * 8 +
+                        static_cast<int>(i % 8) + 0.5) *
+                       0.01;
       ASSERT_GE(K.fx * x / 1.02 + K.cx, 150 - 1);
     }
     EXPECT_GT(colored, 5000);
@@ -234,8 +236,8 @@ TEST(ColorIntegrator, ColorsNothingWhereThereIsNoReading) {
 /// The colour of the voxel straight ahead at depth z.
 Eigen::Vector3d aheadAt(ComputeContext& compute, const BrickMap& map, double z_m) {
   const int z = static_cast<int>(std::floor(z_m / 0.01));
-  const std::vector<cl_uint> colors = test::usedPart(compute, map, map.colors());
-  const int slot = map.slotOf({0, 0, z / 8});
+  const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());
+  const int slot = map.device().slotOf({0, 0, z / 8});
   EXPECT_NE(slot, BRICK_NONE);
   const cl_uint color =
       colors[static_cast<std::size_t>(slot) * BRICK_VOXELS + static_cast<std::size_t>(64 * (z % 8))];
@@ -296,7 +298,7 @@ TEST(ColorIntegrator, DoesNothingWithoutColor) {
     shot.frame.color.release();
     rig.paint(shot);
     const BrickMap& map = rig.map().bricks();
-    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.colors());
+    const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());
     EXPECT_EQ(std::ranges::count(colors, 0U), std::ssize(colors));
   });
 }
@@ -311,7 +313,7 @@ TEST(ColorIntegrator, ALargeViewIsColoredInTurns) {
                                     std::nullopt, {K.width, K.height});
     const BrickMap& map = rig.map().bricks();
     const auto coloredBricks = [&] {
-      const std::vector<cl_uint> colors = test::usedPart(compute, map, map.colors());
+      const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());
       std::size_t count = 0;
       for (std::size_t i = 0; i < colors.size(); i += BRICK_VOXELS) {
         count +=

@@ -40,7 +40,7 @@ class HostVoxels {
   /// The voxel as stored, or null where there is no brick.
   [[nodiscard]] const HostVoxel* find(const Eigen::Vector3i& voxel) const {
     const Eigen::Vector3i brick(voxel.x() >> BRICK_SHIFT, voxel.y() >> BRICK_SHIFT, voxel.z() >> BRICK_SHIFT);
-    const int slot = map_.slotOf(brick);
+    const int slot = map_.device().slotOf(brick);
     if (slot == BRICK_NONE) return nullptr;
     const Eigen::Vector3i local = voxel - BRICK_SIDE * brick;
     const int index = local.x() + BRICK_SIDE * (local.y() + BRICK_SIDE * local.z());

@@ -127,12 +127,12 @@ TEST(Integrator, AllocatesTheBricksThatTheBandTouches) {
       }
       int missing = 0;
       for (const auto& [x, y, z] : expected.certain) {
-        missing += map->bricks().slotOf({x, y, z}) == BRICK_NONE ? 1 : 0;
+        missing += map->bricks().device().slotOf({x, y, z}) == BRICK_NONE ? 1 : 0;
       }
       EXPECT_EQ(missing, 0);
       int needless = 0;
       for (int slot = 0; slot < map->bricks().brickCount(); ++slot) {
-        const Eigen::Vector3i& b = map->bricks().positionOf(slot);
+        const Eigen::Vector3i& b = map->bricks().device().positionOf(slot);
         const reference::TouchedBricks::Brick brick{b.x(), b.y(), b.z()};
         needless += expected.certain.contains(brick) || expected.possible.contains(brick) ? 0 : 1;
       }
@@ -237,7 +237,7 @@ TEST(Integrator, GivesTheSameBitsForTheSameInput) {
         map->integrate(test::frameOf(compute, ballOnWall().depth(K, T), K), T);
       }
       for (int slot = 0; slot < map->bricks().brickCount(); ++slot)
-        bricks[run].push_back(map->bricks().positionOf(slot));
+        bricks[run].push_back(map->bricks().device().positionOf(slot));
       results[run] = test::usedVoxels(compute, map->bricks());
       results[run].resize(bricks[run].size() * BRICK_VOXELS);
     }

@@ -75,7 +75,7 @@ class LabelCloudTest : public testing::TestWithParam<int> {
   /// Label of every voxel of the dense volume; counts labelled voxels anywhere.
   std::vector<std::uint32_t> denseLabels(const reference::DenseLabelCloud& shape, std::size_t& labeled) {
     std::vector<std::uint32_t> dense(shape.labels.size(), 0);
-    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
+    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
     labeled = 0;
     for (int slot = 0; slot < bricks_->brickCount(); ++slot) {
       for (int i = 0; i < BRICK_VOXELS; ++i) {
@@ -84,7 +84,7 @@ class LabelCloudTest : public testing::TestWithParam<int> {
         if (label == 0) continue;
         ++labeled;
         const Eigen::Vector3i voxel =
-            8 * bricks_->positionOf(slot) + Eigen::Vector3i(i % 8, i / 8 % 8, i / 64) - shape.first;
+            8 * bricks_->device().positionOf(slot) + Eigen::Vector3i(i % 8, i / 8 % 8, i / 64) - shape.first;
         if ((voxel.array() < 0).any() || (voxel.array() >= shape.side).any()) continue;
         dense[shape.indexOf(voxel.x(), voxel.y(), voxel.z())] = label;
       }
@@ -208,13 +208,13 @@ TEST_P(LabelCloudTest, WhichBricksExistBeforehandChangesNoVoxel) {
     for (const Eigen::Vector3i& b : (*cloud)->update(surface, randomPatches(3, 1), {}, {}, map))
       EXPECT_TRUE(touched.insert({b.x(), b.y(), b.z()}).second) << "listed once";
     counts = (*cloud)->voxelsOfFragments();
-    const std::vector<cl_uint> voxels = test::usedPart(*compute_, map, map.labels());
+    const std::vector<cl_uint> voxels = test::usedPart(*compute_, map, map.pools().labels());
     Contents contents;
     for (int slot = 0; slot < map.brickCount(); ++slot) {
       const auto first = voxels.begin() + std::ptrdiff_t{slot} * BRICK_VOXELS;
       const std::vector<cl_uint> brick(first, first + BRICK_VOXELS);
       if (std::ranges::all_of(brick, [](cl_uint voxel) { return voxel == 0; })) continue;
-      const Eigen::Vector3i& at = map.positionOf(slot);
+      const Eigen::Vector3i& at = map.device().positionOf(slot);
       contents[{at.x(), at.y(), at.z()}] = brick;
     }
     EXPECT_EQ(touched.size(), contents.size());
@@ -291,9 +291,9 @@ TEST_P(LabelCloudConfidenceTest, WhatOnlyConfirmsWhatIsSureIsWrittenInTurns) {
   const SurfaceMaps surface = toSurface(renderScene(T), T);
   // Labelled voxels, all as sure as that from now on.
   const auto setConfidence = [&](std::uint32_t confidence) {
-    std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
+    std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
     for (cl_uint& voxel : voxels) voxel = LABEL_OF(voxel) == 0 ? 0 : LABEL_VOXEL(LABEL_OF(voxel), confidence);
-    bricks_->labels().write(compute_->queue(), voxels);
+    bricks_->pools().labels().write(compute_->queue(), voxels);
   };
   // Which voxels an update writes to that follows a look at the view, where all were sure.
   const auto writtenBy = [&](FragmentId fragment) {
@@ -302,7 +302,7 @@ TEST_P(LabelCloudConfidenceTest, WhatOnlyConfirmsWhatIsSureIsWrittenInTurns) {
     setConfidence(5);
     (void)cloud_->update(surface, onlyFragment(fragment), {}, params_, *bricks_);
     std::set<std::size_t> written;
-    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
+    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
     for (std::size_t i = 0; i < voxels.size(); ++i) {
       if (voxels[i] != 0 && CONFIDENCE_OF(voxels[i]) != 5) written.insert(i);
     }
@@ -343,7 +343,7 @@ TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
         *bricks_);
   }
   std::vector<cl_int> counted(cloud_->voxelsOfFragments().size(), 0);
-  for (const cl_uint voxel : test::usedPart(*compute_, *bricks_, bricks_->labels())) {
+  for (const cl_uint voxel : test::usedPart(*compute_, *bricks_, bricks_->pools().labels())) {
     if (LABEL_OF(voxel) == 0) continue;
     ASSERT_LT(LABEL_OF(voxel), counted.size());
     ++counted[LABEL_OF(voxel)];
@@ -373,9 +373,9 @@ TEST_P(LabelCloudTest, ExtractGivesEachBrickItsOwnNearSurfaceVoxels) {
   test::writeVoxels(*compute_, *bricks_, voxels);
   const LabelCloud::Extract extract = cloud_->extract(bricks, *bricks_, 4);
   ASSERT_EQ(extract.first.size(), bricks.size() + 1);
-  const std::vector<cl_uint> labels = test::usedPart(*compute_, *bricks_, bricks_->labels());
+  const std::vector<cl_uint> labels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
   for (std::size_t b = 0; b < bricks.size(); ++b) {
-    const auto slot = static_cast<std::size_t>(bricks_->slotOf(bricks[b]));
+    const auto slot = static_cast<std::size_t>(bricks_->device().slotOf(bricks[b]));
     std::size_t expected = 0;
     for (std::size_t i = 0; i < BRICK_VOXELS; i += 2) {
       expected += LABEL_OF(labels[slot * BRICK_VOXELS + i]) != 0 ? 1U : 0U;

@@ -39,12 +39,12 @@ std::vector<Eigen::Vector3i> bricksAroundOrigin(int reach) {
 struct LabeledMap {
   LabeledMap(ComputeContext& compute, float voxel_size_m) : bricks(compute, voxel_size_m) {
     bricks.allocate(bricksAroundOrigin(2));
-    std::vector<cl_uint> values(static_cast<std::size_t>(bricks.slotCapacity()) * BRICK_VOXELS, 0);
+    std::vector<cl_uint> values(static_cast<std::size_t>(bricks.device().slotCapacity()) * BRICK_VOXELS, 0);
     for (int slot = 0; slot < bricks.brickCount(); ++slot) {
       for (int i = 0; i < BRICK_VOXELS; ++i) {
         const auto at = static_cast<std::size_t>(slot) * BRICK_VOXELS + static_cast<std::size_t>(i);
         const auto label = static_cast<std::uint32_t>(at + 1);
-        const Eigen::Vector3i voxel = voxelIn(bricks.positionOf(slot), i);
+        const Eigen::Vector3i voxel = voxelIn(bricks.device().positionOf(slot), i);
         const std::uint32_t confidence = 3 + label % 8;
         labels[{voxel.x(), voxel.y(), voxel.z()}] =
             label | (confidence == LABEL_CONFIDENCE_MAX ? LABEL_SURE : 0);
@@ -70,12 +70,12 @@ std::vector<std::uint32_t> project(ComputeContext& compute, const LabeledMap& ma
   input.write(compute.queue(), values);
   Buffer<cl_uint> projected(compute.context(), values.size());
   projected.fill(compute.queue(), 12345);
-  Buffer<cl_int> stamps(compute.context(), static_cast<std::size_t>(map.bricks.slotCapacity()));
+  Buffer<cl_int> stamps(compute.context(), static_cast<std::size_t>(map.bricks.device().slotCapacity()));
   stamps.fill(compute.queue(), LABEL_BRICK_UNUSED);
   const BrickWindow window = test::windowOfAll(compute, map.bricks);
   kernel->launch(cl::NDRange(values.size()), cl::NDRange(64), input, static_cast<cl_int>(values.size()),
-                 window.cells(), map.bricks.pageSlots(), window.size(), window.first(), map.voxels, stamps,
-                 1.0F / map.bricks.voxelSize(), projected);
+                 window.cells(), map.bricks.device().pageSlots(), window.size(), window.first(), map.voxels,
+                 stamps, 1.0F / map.bricks.voxelSize(), projected);
   return projected.read(compute.queue());
 }
 
@@ -169,19 +169,19 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     std::vector<cl_uint> colors(voxels.size());
     for (cl_uint& color : colors) color = static_cast<cl_uint>(random());
     test::writeVoxels(compute, bricks, voxels);
-    bricks.labels().write(compute.queue(), labels);
-    bricks.colors().write(compute.queue(), colors);
+    bricks.pools().labels().write(compute.queue(), labels);
+    bricks.pools().colors().write(compute.queue(), colors);
 
     const std::vector<cl_int> slots{6, 3, 0, 7, 1};
     std::vector<Eigen::Vector3i> listed;
-    for (const cl_int slot : slots) listed.push_back(bricks.positionOf(slot));
+    for (const cl_int slot : slots) listed.push_back(bricks.device().positionOf(slot));
     for (const float truncation_vox : {4.0F, 3.3F}) {
       const LabelCloud::Extract extract = (*cloud)->extract(listed, bricks, truncation_vox);
       ASSERT_EQ(extract.first.size(), slots.size() + 1);
       for (std::size_t b = 0; b < slots.size(); ++b) {
         const auto start = static_cast<std::size_t>(slots[b]) * BRICK_VOXELS;
         const std::vector<reference::SurfacePoint> expected = reference::pointsOfBrick(
-            bricks.positionOf(slots[b]), double{kVoxel_m}, double{truncation_vox},
+            bricks.device().positionOf(slots[b]), double{kVoxel_m}, double{truncation_vox},
             [&](const Eigen::Vector3i& local) {
               const std::size_t i =
                   start + static_cast<std::size_t>(local.x() + 8 * local.y() + 64 * local.z());
@@ -203,8 +203,8 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
             EXPECT_EQ(point.height, 0);
           }
           const Eigen::Vector3f in_voxels = Eigen::Vector3f(point.x, point.y, point.z) / kVoxel_m;
-          const Eigen::Vector3i local =
-              Eigen::Vector3i(in_voxels.array().floor().cast<int>()) - 8 * bricks.positionOf(slots[b]);
+          const Eigen::Vector3i local = Eigen::Vector3i(in_voxels.array().floor().cast<int>()) -
+                                        8 * bricks.device().positionOf(slots[b]);
           EXPECT_EQ(point.color,
                     colors[start + static_cast<std::size_t>(local.x() + 8 * local.y() + 64 * local.z())]);
         }
@@ -226,7 +226,7 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     ASSERT_TRUE(cloud) << cloud.error().message();
     const std::vector<Eigen::Vector3i> all = bricksAroundOrigin(2);  // in eight pages
     bricks.allocate(all);
-    const auto used = static_cast<std::size_t>(bricks.slotEnd()) * BRICK_VOXELS;
+    const auto used = static_cast<std::size_t>(bricks.device().slotEnd()) * BRICK_VOXELS;
     std::mt19937 random(4);
     std::vector<HostVoxel> voxels(used);
     std::vector<cl_uint> labels(used);
@@ -235,8 +235,8 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     std::vector<cl_uint> colors(used);
     for (cl_uint& color : colors) color = static_cast<cl_uint>(random());
     test::writeVoxels(compute, bricks, voxels);
-    bricks.labels().write(compute.queue(), labels);
-    bricks.colors().write(compute.queue(), colors);
+    bricks.pools().labels().write(compute.queue(), labels);
+    bricks.pools().colors().write(compute.queue(), colors);
     // Of several pages, all mixed up.
     std::vector<Eigen::Vector3i> listed = all;
     std::ranges::shuffle(listed, random);
@@ -247,9 +247,9 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     std::vector<Eigen::Vector3i> elsewhere;
     for (int x = 100; x < 120; ++x) elsewhere.emplace_back(x, 0, 0);
     bricks.allocate(elsewhere);  // takes the place of three of the pages
-    ASSERT_NE(bricks.slotOf({0, 0, 0}), BRICK_NONE);
-    ASSERT_EQ(bricks.slotOf({-1, -1, -1}), BRICK_NONE);
-    const int here = bricks.bricksHere();
+    ASSERT_NE(bricks.device().slotOf({0, 0, 0}), BRICK_NONE);
+    ASSERT_EQ(bricks.device().slotOf({-1, -1, -1}), BRICK_NONE);
+    const int here = bricks.device().brickCount();
     ASSERT_EQ(here, 60);
     const LabelCloud::Extract after = (*cloud)->extract(listed, bricks, 4);
     EXPECT_EQ(after.first, before.first);
@@ -265,7 +265,7 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
       ASSERT_EQ(after.points[i].normal_y, before.points[i].normal_y);
       ASSERT_EQ(after.points[i].normal_z, before.points[i].normal_z);
     }
-    EXPECT_EQ(bricks.bricksHere(), here) << "reading is not bringing back";
+    EXPECT_EQ(bricks.device().brickCount(), here) << "reading is not bringing back";
   });
 }
 

@@ -50,11 +50,11 @@ std::vector<Eigen::Isometry3d> around(const Eigen::Vector3d& center, double dist
 void fillMap(ComputeContext& compute, BrickMap& map,
              const std::function<double(const Eigen::Vector3d&)>& field,
              const std::function<bool(const Eigen::Vector3i& voxel)>& is_seen) {
-  std::vector<test::HostVoxel> voxels(static_cast<std::size_t>(map.slotEnd()) * BRICK_VOXELS);
+  std::vector<test::HostVoxel> voxels(static_cast<std::size_t>(map.device().slotEnd()) * BRICK_VOXELS);
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     const Eigen::Vector3i local(static_cast<int>(i % 8), static_cast<int>(i / 8 % 8),
                                 static_cast<int>(i / 64 % 8));
-    const Eigen::Vector3i voxel = 8 * map.positionOf(static_cast<int>(i / BRICK_VOXELS)) + local;
+    const Eigen::Vector3i voxel = 8 * map.device().positionOf(static_cast<int>(i / BRICK_VOXELS)) + local;
     if (!is_seen(voxel)) continue;
     const double value = std::clamp(field(voxel.cast<double>().array() + 0.5) / 4, -1.0, 1.0);
     const auto distance = static_cast<int>(std::lround(DISTANCE_ONE * value));
@@ -227,10 +227,10 @@ TEST(MeshExtractor, ColorLiesBetweenAndLabelsAreTheNearest) {
         compute, map, [](const Eigen::Vector3d& p) { return p.z() - 0.25; },
         [](const Eigen::Vector3i&) { return true; });
     // Voxels of z = -1 and z = 0 are on both sides, the vertex three quarters of the way up.
-    std::vector<cl_uint> colors(static_cast<std::size_t>(map.slotEnd()) * BRICK_VOXELS, 0);
+    std::vector<cl_uint> colors(static_cast<std::size_t>(map.device().slotEnd()) * BRICK_VOXELS, 0);
     std::vector<cl_uint> labels(colors.size(), 0);
     const auto at = [&](int x, int y, int z) {
-      const int slot = map.slotOf({x >> 3, y >> 3, z >> 3});
+      const int slot = map.device().slotOf({x >> 3, y >> 3, z >> 3});
       return static_cast<std::size_t>(slot) * BRICK_VOXELS +
              static_cast<std::size_t>((x & 7) + 8 * (y & 7) + 64 * (z & 7));
     };
@@ -242,8 +242,8 @@ TEST(MeshExtractor, ColorLiesBetweenAndLabelsAreTheNearest) {
         if (x < 3 && y < 0) labels[at(x, y, 0)] = LABEL_VOXEL(8U, 1U);
       }
     }
-    map.colors().write(compute.queue(), colors);
-    map.labels().write(compute.queue(), labels);
+    map.pools().colors().write(compute.queue(), colors);
+    map.pools().labels().write(compute.queue(), labels);
     const SurfaceMesh mesh = meshOf(map);
     EXPECT_EQ(mesh.vertices.size(), 256U);
     for (const SurfaceMesh::Vertex& vertex : mesh.vertices) {
@@ -283,14 +283,14 @@ TEST(MeshExtractor, TheMemoryBudgetChangesNothing) {
     recordBalls(with_little);
     EXPECT_EQ(with_all.map().bricks().storedBytes(), 0U);
     EXPECT_GT(with_little.map().bricks().storedBytes(), 0U);
-    const int here = with_little.map().bricks().bricksHere();
+    const int here = with_little.map().bricks().device().brickCount();
     EXPECT_LT(2 * here, with_little.map().bricks().brickCount());
     const SurfaceMesh mesh = meshOf(with_all.map().bricks());
     EXPECT_GT(mesh.vertices.size(), 5000U);
     test::expectNoFaults(mesh);
     EXPECT_GT(std::ranges::count(mesh.vertices, true, &SurfaceMesh::Vertex::has_color), 5000);
     EXPECT_TRUE(meshOf(with_little.map().bricks()) == mesh);
-    EXPECT_EQ(with_little.map().bricks().bricksHere(), here) << "reading is not bringing back";
+    EXPECT_EQ(with_little.map().bricks().device().brickCount(), here) << "reading is not bringing back";
   });
 }
 

@@ -92,8 +92,8 @@ TEST_F(MemoryBudget, ChangesNoPointLabelOrViewOfTheMap) {
   EXPECT_FALSE(scan.pipeline().bricks().takeFailure());
   const BrickMap& bricks = scan.pipeline().bricks();
   EXPECT_EQ(bricks.brickCount(), with_all_->pipeline().bricks().brickCount());
-  EXPECT_LT(3 * bricks.bricksHere(), bricks.brickCount()) << "most of the map had room";
-  EXPECT_LE(bricks.deviceBytes(), std::size_t{9} << 20U);
+  EXPECT_LT(3 * bricks.device().brickCount(), bricks.brickCount()) << "most of the map had room";
+  EXPECT_LE(bricks.device().bytes(), std::size_t{9} << 20U);
   EXPECT_EQ(scan.pipeline().labels().voxelsOfFragments(), with_all_->pipeline().labels().voxelsOfFragments());
   EXPECT_GT(cloud_.size(), 100000U);
   EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_);
