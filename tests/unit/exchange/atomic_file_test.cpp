@@ -51,7 +51,7 @@ TEST(AtomicFile, FlushesFileAndFolder_WhenAFileIsReplaced) {
   const fs::path path = folder / "labels.png";
   flushes = 0;
   ASSERT_TRUE(writeFileAtomically(path, "first", Durability::process));
-  EXPECT_EQ(flushes, 0) << "nothing is lost with it";
+  EXPECT_EQ(flushes, 0) << "no earlier file was replaced";
   ASSERT_TRUE(writeFileAtomically(path, "second", Durability::process));
   EXPECT_EQ(flushes, 2);
 }
@@ -122,19 +122,20 @@ TEST(OutputFolder, IsRefused_WhenNotWritable) {
 
 TEST(OutputFolder, RemovesPartFiles_WhenTheirRunWasKilled) {
   const TemporaryFolder folder;
-  const fs::path left = makePartName(folder / "report.json"), held = makePartName(folder / "cloud.ply");
-  for (const fs::path& part : {left, held}) folder.write(part.filename().string(), "half");
-  const int lock = ::open(held.c_str(), O_RDONLY);  // as a running program does
+  const fs::path abandoned = makePartName(folder / "report.json"),
+                 locked = makePartName(folder / "cloud.ply");
+  for (const fs::path& part : {abandoned, locked}) folder.write(part.filename().string(), "half");
+  const int lock = ::open(locked.c_str(), O_RDONLY);  // as a running program does
   ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
   ASSERT_TRUE(prepareOutputFolder(folder.path()));
-  EXPECT_FALSE(fs::exists(left));
-  EXPECT_TRUE(fs::exists(held));
-  ::close(lock);  // it was killed too
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_TRUE(fs::exists(locked));
+  ::close(lock);  // as when this program is killed, too
   ASSERT_TRUE(prepareOutputFolder(folder.path()));
-  EXPECT_FALSE(fs::exists(held));
+  EXPECT_FALSE(fs::exists(locked));
 }
 
-TEST(OutputFolderTest, KeepsForeignFiles_WhenNamedLikeAPart) {
+TEST(OutputFolder, KeepsForeignFiles_WhenNamedLikeAPart) {
   const TemporaryFolder folder;
   std::string changed = makePartName(folder / "report.json").filename().string();
   changed[1] = 'R';
@@ -153,7 +154,7 @@ TEST(OutputFolderTest, KeepsForeignFiles_WhenNamedLikeAPart) {
   EXPECT_EQ(readText(folder / ".notes.part"), "somebody else's");
 }
 
-TEST(AtomicFileTest, WritesThroughNoLink_WhenOneExistsAtThePredictableName) {
+TEST(AtomicFile, WritesThroughNoLink_WhenOneExistsAtThePredictableName) {
   const TemporaryFolder folder;
   const fs::path victim = folder.write("victim", "untouched");
   for (int i = 0; i < 100; ++i)
@@ -164,7 +165,7 @@ TEST(AtomicFileTest, WritesThroughNoLink_WhenOneExistsAtThePredictableName) {
   EXPECT_EQ(readText(folder / "a.txt"), "x");
 }
 
-TEST(PartNameTest, IsUnique_WhenMadeTwice) {
+TEST(PartName, IsUnique_WhenMadeTwice) {
   EXPECT_NE(makePartName("a/b.txt"), makePartName("a/b.txt"));
   EXPECT_TRUE(isPartName(makePartName("a/b.txt").filename().string()));
   EXPECT_FALSE(isPartName(".part"));

@@ -77,10 +77,11 @@ TEST(CloudWriter, ReadsBackEqual_WhenWrittenAsPly) {
   EXPECT_EQ(fromPcl(cloud), points);
 }
 
-double placeIn(const pcl::PCLPointCloud2& cloud, std::size_t point, std::size_t axis) {
-  double place = 0;
-  std::memcpy(&place, &cloud.data[point * cloud.point_step + cloud.fields[axis].offset], sizeof place);
-  return place;
+double coordinateIn(const pcl::PCLPointCloud2& cloud, std::size_t point, std::size_t axis) {
+  double coordinate = 0;
+  std::memcpy(&coordinate, &cloud.data[point * cloud.point_step + cloud.fields[axis].offset],
+              sizeof coordinate);
+  return coordinate;
 }
 
 TEST(CloudWriter, WritesDoubles_WhenTheOriginIsFarAway) {
@@ -97,9 +98,9 @@ TEST(CloudWriter, WritesDoubles_WhenTheOriginIsFarAway) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       ASSERT_EQ(cloud.fields[axis].datatype, pcl::PCLPointField::FLOAT64);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      ASSERT_NEAR(placeIn(cloud, i, 0) - origin.x(), points[i].x, 1e-8);
-      ASSERT_NEAR(placeIn(cloud, i, 1) - origin.y(), points[i].y, 1e-8);
-      ASSERT_NEAR(placeIn(cloud, i, 2) - origin.z(), points[i].z, 1e-8);
+      ASSERT_NEAR(coordinateIn(cloud, i, 0) - origin.x(), points[i].x, 1e-8);
+      ASSERT_NEAR(coordinateIn(cloud, i, 1) - origin.y(), points[i].y, 1e-8);
+      ASSERT_NEAR(coordinateIn(cloud, i, 2) - origin.z(), points[i].z, 1e-8);
     }
   }
 }

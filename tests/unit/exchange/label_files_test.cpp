@@ -90,7 +90,7 @@ TEST(LabelMap, MapsRegionsToColorObjectAndName) {
   EXPECT_TRUE(map["12"]["object"].is_null());
   EXPECT_TRUE(map["12"]["name"].is_null());
   EXPECT_EQ(map["12"]["image_label"], 7) << "label images hold 16 bits";
-  EXPECT_FALSE(map["3"].contains("image_label")) << "it is the id";
+  EXPECT_FALSE(map["3"].contains("image_label")) << "it equals the id";
   ASSERT_TRUE(writeLabelMap(folder / "empty.json", {}));
   EXPECT_TRUE(nlohmann::json::parse(test::readText(folder / "empty.json")).is_object());
 }

@@ -18,10 +18,10 @@ TEST(RecordingWriter, RefusesTheFolder_WhenAnotherRecordingUsesIt) {
   std::optional<Result<RecordingWriter>> first = RecordingWriter::create(folder / "out", {});
   ASSERT_TRUE(*first) << first->error().message();
   const Result<RecordingWriter> second = RecordingWriter::create(folder / "out", {});
-  ASSERT_FALSE(second) << "nothing is in it yet, but something will be";
+  ASSERT_FALSE(second) << "the folder is empty but in use";
   EXPECT_THAT(second.error().message(), HasSubstr("Another program is writing to the folder"));
   first.reset();
-  EXPECT_TRUE(RecordingWriter::create(folder / "out", {})) << "that one recorded nothing";
+  EXPECT_TRUE(RecordingWriter::create(folder / "out", {})) << "the first recording wrote nothing";
 }
 
 TEST(RecordingWriter, KeepsAForeignFile_WhenItsNameIsNeeded) {
@@ -38,7 +38,7 @@ TEST(RecordingWriter, KeepsAForeignFile_WhenItsNameIsNeeded) {
   ASSERT_FALSE(added);
   EXPECT_THAT(added.error().message(), HasSubstr(foreign.string()));
   EXPECT_EQ(test::readText(foreign), "somebody's");
-  EXPECT_FALSE(std::filesystem::exists(folder / "out/frame-000001.pose.txt")) << "half a frame";
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/frame-000001.pose.txt")) << "an incomplete frame";
   EXPECT_TRUE(std::filesystem::exists(folder / "out/frame-000000.depth.png"));
 }
 

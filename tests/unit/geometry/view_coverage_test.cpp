@@ -21,9 +21,9 @@ Vector3f around(float azimuth_deg, float elevation_deg) {
 
 const SideAxes kZUp = SideAxes::of(Vector3f::UnitZ(), Vector3f::UnitX());
 
-// A cap of 22.5 degrees is (1 - cos 22.5 deg) / 2 = 3.8 % of the sphere, that is 9.7 of 256 cells; by how the
-// lattice lies under it, a few more or fewer.
-TEST(ViewCoverage, ALookCoversItsDirectionAndWhatIsNear) {
+// A cap of 22.5 degrees is (1 - cos 22.5 deg) / 2 = 3.8 % of the sphere, that is 9.7 of 256 cells. The
+// alignment with the lattice adds or removes a few.
+TEST(ViewCoverage, OneViewCoversItsDirectionAndItsSurroundings) {
   std::mt19937 random(7);
   std::normal_distribution<float> normal;
   double shares = 0;
@@ -41,7 +41,7 @@ TEST(ViewCoverage, ALookCoversItsDirectionAndWhatIsNear) {
   EXPECT_NEAR(shares / kObservations, 0.038, 0.004);
 }
 
-TEST(ViewCoverage, LooksFromEverywhereCoverAllOfIt) {
+TEST(ViewCoverage, IsComplete_WhenSeenFromEverywhere) {
   ViewCoverage coverage;
   for (int e = -90; e <= 90; e += 15) {
     for (int a = 0; a < 360; a += 15) coverage.look(around(static_cast<float>(a), static_cast<float>(e)));
@@ -49,7 +49,7 @@ TEST(ViewCoverage, LooksFromEverywhereCoverAllOfIt) {
   EXPECT_EQ(coverage.share(), 1);
 }
 
-TEST(ViewCoverage, WhatIsNoDirectionChangesNothing) {
+TEST(ViewCoverage, IgnoresADirection_WhenZeroOrNotFinite) {
   ViewCoverage coverage;
   coverage.look(Vector3f::Zero());
   coverage.look({std::numeric_limits<float>::quiet_NaN(), 0, 1});
@@ -57,7 +57,7 @@ TEST(ViewCoverage, WhatIsNoDirectionChangesNothing) {
   EXPECT_EQ(coverage, ViewCoverage());
 }
 
-TEST(SeenSides, AWalkAroundAtAnyHeightSeesAllOfThem) {
+TEST(SeenSides, AreComplete_AfterAFullCircleAtAnyHeight) {
   for (const float elevation_deg : {0.0F, 20.0F, 35.0F, 50.0F}) {
     ViewCoverage coverage;
     for (int a = 0; a < 360; a += 10) coverage.look(around(static_cast<float>(a), elevation_deg));
@@ -65,11 +65,11 @@ TEST(SeenSides, AWalkAroundAtAnyHeightSeesAllOfThem) {
   }
 }
 
-TEST(SeenSides, HalfAWalkSeesHalfOfThem) {
+TEST(SeenSides, AreAboutHalf_AfterHalfACircle) {
   ViewCoverage coverage;
   for (int a = 0; a <= 180; a += 5) coverage.look(around(static_cast<float>(a), 30));
   const SeenSides seen = sidesOf(coverage, kZUp);
-  // Sides 0 .. 6 lie on the way; a look reaches 22.5 degrees on, so that one more on either end may count.
+  // The path passes sides 0 .. 6. A view covers 22.5 degrees, so one more side at either end may count.
   for (std::size_t side = 0; side <= 6; ++side) EXPECT_TRUE(seen.sides[side]) << side;
   EXPECT_LE(seen.count(), 9);
   EXPECT_FALSE(seen.sides[9]);
@@ -77,7 +77,7 @@ TEST(SeenSides, HalfAWalkSeesHalfOfThem) {
   EXPECT_FALSE(seen.above);
 }
 
-TEST(SeenSides, FromAboveIsNoSide) {
+TEST(SeenSides, CountNoSide_WhenSeenFromAbove) {
   ViewCoverage coverage;
   coverage.look(Vector3f::UnitZ());
   const SeenSides seen = sidesOf(coverage, kZUp);
@@ -91,7 +91,7 @@ TEST(SideAxes, AreLevelAndCounterclockwise) {
   EXPECT_TRUE(axes.directionOf(0, 0).isApprox(axes.front, 1e-5F));
   EXPECT_TRUE(axes.directionOf(3, 0).isApprox(axes.up.cross(axes.front), 1e-5F));
   EXPECT_TRUE(axes.directionOf(5, 90).isApprox(axes.up, 1e-5F));
-  // Towards above there is no front: any level one will do.
+  // A vertical view has no level front direction; any level one is valid.
   const SideAxes steep = SideAxes::of(Vector3f::UnitZ(), Vector3f::UnitZ());
   EXPECT_NEAR(steep.front.norm(), 1, 1e-5);
   EXPECT_NEAR(steep.front.z(), 0, 1e-5);
@@ -104,13 +104,13 @@ TEST(NextDirection, IsTheNearestUnseenSideAtTheCamerasHeight) {
   const auto next = nextDirection(seen, kZUp, 3 * around(60, 40));
   ASSERT_TRUE(next);
   EXPECT_TRUE(next->isApprox(around(120, 40), 1e-4F)) << next->transpose();
-  // From straight above it leads down to where sides can be seen from.
+  // From straight above, the direction leads down to where sides are visible.
   const auto down = nextDirection(seen, kZUp, around(250, 85));
   ASSERT_TRUE(down);
   EXPECT_TRUE(down->isApprox(around(270, 50), 1e-4F)) << down->transpose();
 }
 
-TEST(NextDirection, IsNoneWhenAllWasSeen) {
+TEST(NextDirection, IsNone_WhenAllSidesWereSeen) {
   SeenSides seen;
   seen.sides.fill(true);
   EXPECT_FALSE(nextDirection(seen, kZUp, Vector3f::UnitX()));

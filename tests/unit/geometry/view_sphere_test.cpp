@@ -13,7 +13,7 @@ Eigen::Vector3f at(float degrees) {
   return {std::cos(a), std::sin(a), 0};
 }
 
-TEST(ViewSphere, ADirectionIsNewAwayFromAllThatWereKept) {
+TEST(ViewSphere, DirectionIsNew_WhenFarFromAllStoredOnes) {
   ViewSphere sphere;
   EXPECT_TRUE(sphere.isNew(at(0), 20));
   sphere.keep(2 * at(0));
@@ -26,7 +26,7 @@ TEST(ViewSphere, ADirectionIsNewAwayFromAllThatWereKept) {
   EXPECT_TRUE(sphere.isNew(at(180), 20));
 }
 
-TEST(ViewSphere, RefusesWhatIsNoDirection) {
+TEST(ViewSphere, DirectionIsNotNew_WhenZeroOrNotFinite) {
   EXPECT_FALSE(ViewSphere().isNew(Eigen::Vector3f::Zero(), 20));
   EXPECT_FALSE(ViewSphere().isNew(Eigen::Vector3f(NAN, 0, 1), 20));
 }

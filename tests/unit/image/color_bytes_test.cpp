@@ -1,4 +1,4 @@
-// Orientations in JPEG and PNG files, and which files every program reads alike.
+// Orientations in JPEG and PNG files, and files that every program decodes alike.
 #include "core/image/color_bytes.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ cv::Mat someImage(int type = CV_8UC3) {
   return image;
 }
 
-/// A PNG with one more chunk behind its header; its checksum is that of PNG (CRC-32).
+/// Inserts a chunk with its CRC-32 after the header of a PNG.
 std::string withChunk(const std::string& png, const std::string& type, const std::string& content) {
   const std::string typed = type + content;
   std::uint32_t sum = 0xFFFFFFFFU;
@@ -46,7 +46,7 @@ std::string withChunk(const std::string& png, const std::string& type, const std
   return png.substr(0, kHeaderEnd) + chunk + png.substr(kHeaderEnd);
 }
 
-TEST(Orientation, OfExifIsMadeUpright_WhereverItIs) {
+TEST(WithoutOrientation, ClearsExif_AnywhereInAJpeg) {
   const std::string jpeg = encoded(".jpg", someImage());
   for (const bool is_big_endian : {false, true}) {
     for (int orientation = 2; orientation <= 8; ++orientation) {
@@ -62,7 +62,7 @@ TEST(Orientation, OfExifIsMadeUpright_WhereverItIs) {
   EXPECT_TRUE(withoutOrientation(jpeg) == jpeg);
 }
 
-TEST(Orientation, OfXmpIsMadeUpright) {
+TEST(WithoutOrientation, ClearsXmp_InAJpeg) {
   const std::string jpeg = encoded(".jpg", someImage());
   const std::string name("http://ns.adobe.com/xap/1.0/\0", 29);
   for (const auto& [written, cleared] :
@@ -75,7 +75,7 @@ TEST(Orientation, OfXmpIsMadeUpright) {
   }
 }
 
-TEST(Orientation, OfPngIsMadeUprightOrLeftOut) {
+TEST(WithoutOrientation, ClearsOrRemovesMetadata_InAPng) {
   const cv::Mat image = someImage();
   const std::string png = encoded(".png", image);
   for (const bool is_big_endian : {false, true}) {
@@ -94,21 +94,21 @@ TEST(Orientation, OfPngIsMadeUprightOrLeftOut) {
   EXPECT_EQ(cv::norm(*read, image, cv::NORM_INF), 0);
 }
 
-TEST(Orientation, OfDamagedFilesStaysInsideThem) {
+TEST(WithoutOrientation, ReadsWithinBounds_WhenFilesAreDamaged) {
   const std::string jpeg = withExif(encoded(".jpg", someImage()), true, 6);
   const std::string png = withChunk(encoded(".png", someImage()), "eXIf", exifDirectory(false, 6));
-  for (const std::string& whole : {jpeg, png}) {
-    for (std::size_t length = 0; length < std::min<std::size_t>(whole.size(), 400); ++length)
-      EXPECT_EQ(withoutOrientation(whole.substr(0, length)).size(), length);
+  for (const std::string& intact : {jpeg, png}) {
+    for (std::size_t length = 0; length < std::min<std::size_t>(intact.size(), 400); ++length)
+      EXPECT_EQ(withoutOrientation(intact.substr(0, length)).size(), length);
     for (std::size_t at = 2; at < 120; ++at) {
-      std::string changed = whole;
+      std::string changed = intact;
       changed[at] = '\xFF';
       EXPECT_LE(withoutOrientation(changed).size(), changed.size());
     }
   }
 }
 
-TEST(PlainColor, IsThreeChannelsOfEightBits) {
+TEST(IsPlainColor, AcceptsOnlyThreeChannelsOfEightBits) {
   EXPECT_TRUE(isPlainColor(viewOf(encoded(".jpg", someImage()))));
   EXPECT_TRUE(isPlainColor(viewOf(encoded(".png", someImage()))));
   for (const int type : {CV_8UC1, CV_8UC4, CV_16UC1, CV_16UC3, CV_16UC4})

@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-/// Every kind of row a filter is chosen for: noise, slopes, steps, constant.
+/// Rows of noise, slopes, steps and constants, so that an encoder chooses every filter.
 cv::Mat variedDepth(int width, int height) {
   cv::Mat depth(height, width, CV_16UC1);
   cv::theRNG().state = 7;
@@ -31,7 +31,7 @@ std::vector<uchar> encode(const cv::Mat& image, int strategy = cv::IMWRITE_PNG_S
   return bytes;
 }
 
-TEST(DepthPng, GivesThePixelsThatWereWritten) {
+TEST(DecodeGrayPng, ReadsBackEqual_ForEverySizeAndFilter) {
   for (const cv::Size size : {cv::Size(64, 48), cv::Size(1, 1), cv::Size(3, 5), cv::Size(640, 480)}) {
     for (const int strategy : {cv::IMWRITE_PNG_STRATEGY_DEFAULT, cv::IMWRITE_PNG_STRATEGY_FILTERED,
                                cv::IMWRITE_PNG_STRATEGY_RLE, cv::IMWRITE_PNG_STRATEGY_FIXED}) {
@@ -46,7 +46,7 @@ TEST(DepthPng, GivesThePixelsThatWereWritten) {
   }
 }
 
-TEST(DepthPng, NoDamageIsTakenForAPicture) {
+TEST(DecodeGrayPng, GivesNoWrongPixels_WhenBytesAreDamaged) {
   const cv::Mat depth = variedDepth(32, 24);
   const std::vector<uchar> bytes = encode(depth);
   for (std::size_t i = 33; i < bytes.size(); ++i) {  // after the header

@@ -29,10 +29,10 @@ cv::Mat byOpenCv(const std::string& bytes) {
   return cv::imdecode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
 }
 
-TEST(PngEncoder, KeepsEveryBitForEveryReader) {
+TEST(EncodePng, ReadsBackEqual_WithOpenCvAndOwnDecoder) {
   for (const int type : {CV_8UC1, CV_8UC3, CV_16UC1}) {
     SCOPED_TRACE(type);
-    // A part of a larger image has rows with gaps between them.
+    // Rows of a part of an image are not contiguous.
     for (const cv::Mat& image : {noise(type), noise(type)(cv::Rect(5, 7, 20, 11))}) {
       const std::string png = encodePng(image);
       for (const cv::Mat& read : {byOpenCv(png), decodeAnyPng(bytesOf(png), "x").value()}) {
@@ -44,7 +44,7 @@ TEST(PngEncoder, KeepsEveryBitForEveryReader) {
   }
 }
 
-TEST(JpegEncoder, IsAsNearAsOpenCvs) {
+TEST(EncodeJpeg, EqualsOpenCv_AtTheSameQuality) {
   cv::Mat picture = noise(CV_8UC3);
   cv::GaussianBlur(picture, picture, {9, 9}, 3);
   std::vector<std::uint8_t> expected;
@@ -55,12 +55,12 @@ TEST(JpegEncoder, IsAsNearAsOpenCvs) {
   EXPECT_GT(encodeJpeg(picture, 95).size(), encodeJpeg(picture, 40).size());
 }
 
-TEST(JpegEncoder, SaysWhatItCannot) {
+TEST(EncodeJpeg, Throws_WhenTheImageIsTooWide) {
   EXPECT_THROW(static_cast<void>(encodeJpeg(cv::Mat(1, 70'000, CV_8UC3, cv::Scalar::all(9)), 90)),
                std::runtime_error);
 }
 
-TEST(OtherFormats, AreRead) {
+TEST(ImageDecoders, ReadPnmBmpAndTiff) {
   const cv::Mat color = noise(CV_8UC3), depth = noise(CV_16UC1);
   for (const char* extension : {".ppm", ".bmp", ".tif"}) {
     std::vector<std::uint8_t> bytes;
@@ -76,9 +76,9 @@ TEST(OtherFormats, AreRead) {
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(cv::norm(*read, depth, cv::NORM_INF), 0) << extension;
   }
-  const auto nothing = decodeGrayImage(bytesOf("P2 3 3 255 none"), "a page");
-  ASSERT_FALSE(nothing);
-  EXPECT_EQ(nothing.error().what, "a page cannot be decoded: it is damaged or truncated.");
+  const auto damaged = decodeGrayImage(bytesOf("P2 3 3 255 none"), "a page");
+  ASSERT_FALSE(damaged);
+  EXPECT_EQ(damaged.error().what, "a page cannot be decoded: it is damaged or truncated.");
 }
 
 }  // namespace

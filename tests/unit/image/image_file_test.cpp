@@ -1,4 +1,4 @@
-// Image files before and while they are decoded: size, damage, and what the decoders make of them.
+// Sizes, damage and decoding of image files.
 #include "core/image/image_file.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ using namespace test;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(ImageHeader, TellsTheSizeOfEveryFormat) {
+TEST(ImageHeader, GivesTheSize_OfEveryFormat) {
   for (const char* extension : {".png", ".jpg", ".bmp", ".ppm", ".pgm", ".tif"}) {
     std::vector<uchar> bytes;
     const cv::Mat image(24, 37, std::string(extension) == ".pgm" ? CV_8UC1 : CV_8UC3, cv::Scalar::all(90));
@@ -68,8 +68,7 @@ std::vector<uchar> makePng(int color_type, int bits, bool is_interlaced) {
   return bytes;
 }
 
-/// What our decoders give is what OpenCV gives.
-TEST(ImageDecoders, GiveWhatOpenCvGives) {
+TEST(ImageDecoders, EqualOpenCv_ForEveryChannelCountAndDepth) {
   cv::Mat color(45, 61, CV_8UC3), alpha(45, 61, CV_8UC4), deep(45, 61, CV_16UC3), gray(45, 61, CV_8UC1),
       depth(45, 61, CV_16UC1);
   for (cv::Mat* image : {&color, &alpha, &deep, &gray, &depth})
@@ -88,8 +87,7 @@ TEST(ImageDecoders, GiveWhatOpenCvGives) {
   }
 }
 
-/// Every kind of PNG that the specification has, small.
-TEST(ImageDecoders, ReadEveryKindOfPngAsOpenCvDoes) {
+TEST(ImageDecoders, EqualOpenCv_ForEveryKindOfPng) {
   for (const int bits : {1, 2, 4, 8, 16}) {
     for (const int color_type : {0, 2, 3, 4, 6}) {
       const bool is_kind = color_type == 0 || (color_type == 3 ? bits <= 8 : bits >= 8);
@@ -110,7 +108,7 @@ TEST(ImageDecoders, ReadEveryKindOfPngAsOpenCvDoes) {
   }
 }
 
-TEST(ImageDecoders, RefuseAnImageThatIsTooLargeByItsHeader) {
+TEST(ImageDecoders, RefuseAnImage_WhenItsHeaderIsTooLarge) {
   std::string bmp("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x00\x70\0\0\x00\x70\0\0\1\0\x18\0", 30);
   bmp.resize(200, '\0');
   for (const std::string& text : {std::string("P5 28672 28672 255\n"), bmp}) {
@@ -130,14 +128,14 @@ TEST(ImageDecoders, RefuseAnImageThatIsTooLargeByItsHeader) {
   }
 }
 
-TEST(ImageDecoders, SayWhatIsDamagedAndPrintNothing) {
+TEST(ImageDecoders, NameTheDamageAndPrintNothing_WhenBytesAreDamaged) {
   cv::Mat noise(48, 64, CV_8UC3);
   cv::randu(noise, 0, 255);
   std::vector<uchar> png, jpeg;
   cv::imencode(".png", noise, png);
   cv::imencode(".jpg", noise, jpeg);
   png[png.size() / 2] ^= 0x55;
-  jpeg[jpeg.size() / 2] = 0xFF;  // an end marker in the middle: libjpeg would paint the rest grey
+  jpeg[jpeg.size() / 2] = 0xFF;  // an end marker in the middle; libjpeg alone would fill the rest with grey
   jpeg[jpeg.size() / 2 + 1] = 0xD9;
   testing::internal::CaptureStderr();
   for (const std::vector<uchar>& bytes : {png, jpeg}) {
@@ -148,7 +146,7 @@ TEST(ImageDecoders, SayWhatIsDamagedAndPrintNothing) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), IsEmpty());
 }
 
-TEST(ImageDamage, IsFoundAtEveryLength) {
+TEST(ImageDecoders, RefuseAnImage_WhenTruncatedAnywhere) {
   cv::Mat noise(24, 32, CV_16UC1), color(24, 32, CV_8UC3);
   cv::randu(noise, 0, 60000);
   cv::randu(color, 0, 255);
@@ -166,7 +164,7 @@ TEST(ImageDamage, IsFoundAtEveryLength) {
   }
 }
 
-TEST(ImageDamage, TrailingBytesAreNoDamage) {
+TEST(ImageDecoders, IgnoreTrailingBytes) {
   for (const char* extension : {".png", ".jpg", ".ppm"}) {
     std::vector<uchar> image;
     cv::imencode(extension, cv::Mat(24, 32, CV_8UC3, cv::Scalar(20, 90, 160)), image);
@@ -175,8 +173,8 @@ TEST(ImageDamage, TrailingBytesAreNoDamage) {
   }
 }
 
-/// As webcams write it. What is missing behind it is still found.
-TEST(ImageDamage, PaddingBetweenMarkersOfAJpegIsNone) {
+/// Webcams write such padding. A truncation after it is still found.
+TEST(ImageDecoders, IgnorePadding_BetweenJpegMarkers) {
   cv::Mat noise(48, 64, CV_8UC3);
   cv::randu(noise, 0, 255);
   std::vector<uchar> jpeg;
@@ -192,7 +190,7 @@ TEST(ImageDamage, PaddingBetweenMarkersOfAJpegIsNone) {
   EXPECT_THAT(cut.error().what, HasSubstr("picture is truncated"));
 }
 
-TEST(ImageDamage, FlippedBitsAreAnErrorNotAPicture) {
+TEST(ReadDepthImage, Fails_WhenABitIsFlipped) {
   const TemporaryFolder folder;
   std::vector<uchar> png;
   cv::Mat noise(24, 32, CV_16UC1);

@@ -1,4 +1,4 @@
-// Images as some programs write them, and others do not expect them.
+// Valid images that few programs write.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,8 +17,8 @@ std::span<const std::uint8_t> asBytes(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// A JPEG of four inks, all pixels alike.
-std::string jpegOfInks(std::array<std::uint8_t, 4> inks, J_COLOR_SPACE stored_as, bool by_adobe) {
+/// A CMYK JPEG with equal pixels.
+std::string cmykJpeg(std::array<std::uint8_t, 4> inks, J_COLOR_SPACE stored_as, bool by_adobe) {
   jpeg_error_mgr errors{};
   jpeg_compress_struct jpeg{};
   jpeg.err = jpeg_std_error(&errors);
@@ -56,15 +56,15 @@ void expectColor(const std::string& jpeg, const cv::Vec3b& expected_bgr) {
     EXPECT_LE(cv::norm(image->at<cv::Vec3b>(at), expected_bgr, cv::NORM_INF), 3) << image->at<cv::Vec3b>(at);
 }
 
-TEST(JpegOfInks, IsRead) {
-  // Adobe stores light instead of ink: 200 of cyan is what red is when there is no black.
+TEST(ImageDecoders, ConvertCmykJpegs) {
+  // Adobe inverts inks: a stored cyan of 200 without black means red 200.
   for (const J_COLOR_SPACE stored_as : {JCS_CMYK, JCS_YCCK})
-    expectColor(jpegOfInks({200, 40, 30, 255}, stored_as, true), {30, 40, 200});
-  expectColor(jpegOfInks({200, 40, 30, 128}, JCS_CMYK, true), {15, 20, 100});
-  expectColor(jpegOfInks({55, 215, 225, 0}, JCS_CMYK, false), {30, 40, 200});
+    expectColor(cmykJpeg({200, 40, 30, 255}, stored_as, true), {30, 40, 200});
+  expectColor(cmykJpeg({200, 40, 30, 128}, JCS_CMYK, true), {15, 20, 100});
+  expectColor(cmykJpeg({55, 215, 225, 0}, JCS_CMYK, false), {30, 40, 200});
 }
 
-TEST(TextPnm, NeedsNoLineEndAtItsEnd) {
+TEST(ImageDecoders, ReadTextPnm_WithoutFinalNewline) {
   const std::string depth = "P2\n# made by hand\n3 2\n65535\n100 200 300\n400 500 600";
   for (const std::string& text : {depth, depth + "\n"}) {
     const auto image = decodeDepthImage(asBytes(text), "depth.pgm");

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-using Segment = std::pair<int, int>;  ///< two edges of a cube, as a triangle goes from one to the other
+using Segment = std::pair<int, int>;  ///< two cube edges that a triangle side connects, in its direction
 
 Eigen::Vector3d middleOf(int edge) {
   const CubeEdge& e = kCubeEdges[static_cast<std::size_t>(edge)];
@@ -27,7 +27,7 @@ bool isOutside(unsigned outside, const std::array<int, 3>& corner) {
   return false;
 }
 
-/// Segments of triangles, each with how often it is gone through.
+/// Segments of all triangles, with their number of uses.
 std::map<Segment, int> segmentsOf(unsigned outside) {
   std::map<Segment, int> segments;
   const std::span<const int> edges = trianglesOfCube(outside);
@@ -37,7 +37,7 @@ std::map<Segment, int> segmentsOf(unsigned outside) {
   return segments;
 }
 
-/// Those without another triangle on the other side: where the cube's part of the surface ends.
+/// Segments of one triangle only: the boundary of the surface within the cube.
 std::vector<Segment> openSegmentsOf(unsigned outside) {
   std::vector<Segment> open;
   const std::map<Segment, int> segments = segmentsOf(outside);
@@ -47,7 +47,7 @@ std::vector<Segment> openSegmentsOf(unsigned outside) {
   return open;
 }
 
-TEST(CubeCases, VerticesLieWhereTheSurfaceCrosses) {
+TEST(CubeCases, VerticesLieOnCrossedEdges) {
   for (unsigned outside = 0; outside < 256; ++outside) {
     std::set<int> crossed;
     for (int edge = 0; edge < 12; ++edge) {
@@ -76,9 +76,10 @@ TEST(CubeCases, TrianglesFaceOutwards) {
   }
 }
 
-// What makes meshes closed and each of their edges one of two triangles, ambiguous faces included.
-TEST(CubeCases, NeighborsFitTogether) {
-  // By axis and the four corners of a face: what the cube below it leaves open there, and that above it.
+// This closes meshes: each edge belongs to two triangles, even across ambiguous faces.
+TEST(CubeCases, NeighborsMatch_InEveryCase) {
+  // Open segments in a face by axis and its four corners: those of the cube below and those of the cube
+  // above.
   std::map<std::pair<int, std::vector<bool>>, std::set<Segment>> below, above;
   for (unsigned outside = 0; outside < 256; ++outside) {
     for (const auto& [segment, count] : segmentsOf(outside)) ASSERT_EQ(count, 1) << outside;
@@ -92,7 +93,7 @@ TEST(CubeCases, NeighborsFitTogether) {
           corner[static_cast<std::size_t>((axis + 2) % 3)] = i >> 1;
           corners.push_back(isOutside(outside, corner));
         }
-        // Edges of the face by number of the one that lies opposite, on the other side.
+        // The number of the parallel edge in the opposite face; names the same edge in both cubes.
         const auto onLowSide = [&](int edge) {
           for (int other = 0; other < 12; ++other) {
             if (middleOf(other) + side * Eigen::Vector3d::Unit(axis) == middleOf(edge)) return other;
@@ -108,7 +109,7 @@ TEST(CubeCases, NeighborsFitTogether) {
         EXPECT_EQ(known->second, open) << "case " << outside;
       }
     }
-    // The others are crossed inside of the cube, never in a face that a neighbour has too.
+    // All other segments lie inside the cube, never in a face that it shares with a neighbour.
     for (const auto& [segment, count] : segmentsOf(outside)) {
       for (int axis = 0; axis < 3; ++axis) {
         for (const int side : {0, 1}) {

@@ -21,13 +21,13 @@ cv::Mat imageOf(int width, int height, int type, int value) {
   return image;
 }
 
-KeyFrame placeOf(double x) {
-  KeyFrame place;
-  place.T_world_camera = poseOf(x);
-  place.landmarks.points_world = {{1, 2, 3}, {4, 5, 6}};
-  place.landmarks.descriptors = imageOf(32, 2, CV_8UC1, 7);
-  place.thumbnail = imageOf(40, 30, CV_32FC1, 1);
-  return place;
+KeyFrame keyFrameOf(double x) {
+  KeyFrame key_frame;
+  key_frame.T_world_camera = poseOf(x);
+  key_frame.landmarks.points_world = {{1, 2, 3}, {4, 5, 6}};
+  key_frame.landmarks.descriptors = imageOf(32, 2, CV_8UC1, 7);
+  key_frame.thumbnail = imageOf(40, 30, CV_32FC1, 1);
+  return key_frame;
 }
 
 SeenSurfaces::View viewOf(double x) {
@@ -44,7 +44,7 @@ CameraMemory memoryOf(bool with_tracker) {
     memory.tracker->before_last = poseOf(0.4);
     memory.tracker->is_lost = true;
     memory.tracker->last_view = {imageOf(4, 3, CV_8UC1, 80), K, poseOf(0.01)};
-    memory.tracker->places = {placeOf(0.9), placeOf(1.1)};
+    memory.tracker->places = {keyFrameOf(0.9), keyFrameOf(1.1)};
     memory.tracker->surfaces = {viewOf(0.8), viewOf(1.2)};
     memory.followed_normals_world.assign(12, {0, 0, 1, 1});
   }
@@ -59,7 +59,7 @@ CameraMemory memoryOf(bool with_tracker) {
   return memory;
 }
 
-TEST(CameraMemory, ComesBackAsItWas) {
+TEST(CameraMemory, ReadsBackEqual_WithAndWithoutTracker) {
   for (const bool with_tracker : {true, false}) {
     const std::vector<std::uint32_t> words = toWords(memoryOf(with_tracker));
     const auto back = cameraMemoryFrom(words);
@@ -81,7 +81,7 @@ TEST(CameraMemory, ComesBackAsItWas) {
   }
 }
 
-TEST(CameraMemory, WithoutBeforeLastHasNone) {
+TEST(CameraMemory, ReadsBackNoPoseBeforeLast_WhenThereIsNone) {
   CameraMemory memory = memoryOf(true);
   memory.tracker->before_last.reset();
   const auto back = cameraMemoryFrom(toWords(memory));
@@ -89,9 +89,9 @@ TEST(CameraMemory, WithoutBeforeLastHasNone) {
   EXPECT_FALSE(back->tracker->before_last);
 }
 
-// Cut off anywhere it is refused; with any word changed it is refused or whole: the address sanitizer sees
-// that nothing is read beyond what there is.
-TEST(CameraMemory, DamageIsRefused) {
+// Any truncation is refused. A changed word is refused or read completely; the address sanitizer verifies
+// that no read leaves the buffer.
+TEST(CameraMemory, IsRefused_WhenDamaged) {
   const std::vector<std::uint32_t> words = toWords(memoryOf(true));
   for (std::size_t length = 0; length < words.size(); ++length)
     EXPECT_FALSE(cameraMemoryFrom(std::span(words).first(length))) << length;

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 const Intrinsics kKinect{525, 525, 319.5F, 239.5F, 640, 480};
 constexpr std::size_t kGiB = std::size_t{1} << 30;
 
-TEST(MapMemory, AViewNeedsBricksAsTheSquareOfRangeAndFineness) {
+TEST(BricksOfOneView, GrowWithTheSquaresOfRangeAndResolution) {
   FusionParams params;
   const double usual = bricksOfOneView(params, kKinect);
   EXPECT_NEAR(usual, 2 * (640 * 5.0 / 525) * (480 * 5.0 / 525) / std::pow(8 * 3.0 / 512, 2), 1);
@@ -23,9 +23,11 @@ TEST(MapMemory, AViewNeedsBricksAsTheSquareOfRangeAndFineness) {
   EXPECT_NEAR(bricksOfOneView(params, kKinect), usual, 1);
 }
 
-TEST(MapMemory, TheUsualMapFitsASmallDevice) { EXPECT_TRUE(checkMapFits({}, kKinect, {kGiB, kGiB / 4})); }
+TEST(CheckMapFits, AcceptsTheDefaultMap_OnASmallDevice) {
+  EXPECT_TRUE(checkMapFits({}, kKinect, {kGiB, kGiB / 4}));
+}
 
-TEST(MapMemory, ARefusalSaysWhatWouldFitAndThatDoes) {
+TEST(CheckMapFits, AdvisesValuesThatFit_WhenTheMapIsTooLarge) {
   const DeviceMemory memory{4 * kGiB, kGiB};
   FusionParams params;
   params.voxel_size_m = 0.001F;
@@ -41,13 +43,13 @@ TEST(MapMemory, ARefusalSaysWhatWouldFitAndThatDoes) {
   larger.voxel_size_m = numberAfter("fusion.voxel_size_m");
   EXPECT_TRUE(checkMapFits(larger, kKinect, memory)) << advice;
   larger.voxel_size_m -= 0.00011F;
-  EXPECT_FALSE(checkMapFits(larger, kKinect, memory)) << "a tenth of a millimetre less would have done";
+  EXPECT_FALSE(checkMapFits(larger, kKinect, memory)) << "voxels a tenth of a millimetre smaller also fit";
   FusionParams nearer = params;
   nearer.max_depth_m = numberAfter("fusion.max_depth_m");
   EXPECT_TRUE(checkMapFits(nearer, kKinect, memory)) << advice;
 }
 
-TEST(MapMemory, FourTimesAsMuchSurfaceNeedsVoxelsOfTwiceTheSize) {
+TEST(VoxelSizeFor, Doubles_WhenTheSurfaceQuadruples) {
   EXPECT_DOUBLE_EQ(voxelSizeFor(4, 0.002), 0.004);
   EXPECT_DOUBLE_EQ(voxelSizeFor(2, 0.001), 0.0015);  // 1.41 mm, rounded up
 }

@@ -12,7 +12,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::UnorderedElementsAre;
 
-/// Three books in a row, of which the first two are one region by little evidence, and a box.
+/// Three books in a row and a box. Weak evidence joins the first two books into one region.
 class FinerRegionsTest : public testing::Test {
  protected:
   static constexpr FragmentId kFirst{1}, kSecond{2}, kThird{3}, kBox{4};
@@ -24,15 +24,15 @@ class FinerRegionsTest : public testing::Test {
     border.bridged = border.shared = border.observations;
     border.length_m = 0.2F;
     table_.join(table_.regionOf(kFirst), table_.regionOf(kSecond));
-    speakForJoining(1);
+    setBorderOdds(1);
   }
-  /// The border within the region, log-odds.
-  void speakForJoining(float odds) {
+  /// Sets the log-odds of the border within the region.
+  void setBorderOdds(float odds) {
     params_.joining_bias = 0;
     params_.joining_bias = odds - merger_.evidence()->find(kFirst, kSecond)->logOdds(1000, 1000);
   }
   [[nodiscard]] FinerRegions finer() const {
-    return {table_, merger_, voxels_, params_, [this](RegionId region) { return region == stays_; }};
+    return {table_, merger_, voxels_, params_, [this](RegionId region) { return region == excluded_; }};
   }
   [[nodiscard]] RegionId of(FragmentId fragment) const { return table_.regionOf(fragment); }
 
@@ -40,61 +40,61 @@ class FinerRegionsTest : public testing::Test {
   RegionTable table_;
   LabelingParams params_;
   std::vector<int> voxels_ = std::vector<int>(5, 1000);
-  RegionId stays_;
+  RegionId excluded_;
 };
 
-TEST_F(FinerRegionsTest, WhatLittleHoldsTogetherIsDividedAndNothingElse) {
+TEST_F(FinerRegionsTest, DividesARegion_WhenItsEvidenceIsWeak) {
   const FinerRegions finer = this->finer();
   ASSERT_TRUE(finer.areDivided());
   const RegionId first = finer.table().regionOf(kFirst), second = finer.table().regionOf(kSecond);
   EXPECT_NE(first, second);
-  EXPECT_EQ(of(kFirst), of(kSecond)) << "the regions themselves stay";
+  EXPECT_EQ(of(kFirst), of(kSecond)) << "the original table is unchanged";
   EXPECT_EQ(finer.table().regionOf(kBox), of(kBox));
   EXPECT_EQ(finer.partsOf({of(kFirst), of(kBox)}), (RegionSet{first, second, of(kBox)}));
   EXPECT_TRUE(finer.holdsPart({first, of(kBox)}));
   EXPECT_FALSE(finer.holdsPart({of(kThird), of(kBox)}));
 }
 
-TEST_F(FinerRegionsTest, WhatMuchHoldsTogetherStaysOne) {
-  speakForJoining(6);
+TEST_F(FinerRegionsTest, KeepsARegion_WhenItsEvidenceIsStrong) {
+  setBorderOdds(6);
   EXPECT_FALSE(finer().areDivided());
 }
 
-TEST_F(FinerRegionsTest, WhatSomebodyKnowsOrSpokeOfStaysOne) {
+TEST_F(FinerRegionsTest, KeepsARegion_WhenKnownLabeledOrExcluded) {
   table_.setKnown(of(kFirst), true);
   EXPECT_FALSE(finer().areDivided());
   table_.setKnown(of(kFirst), false);
-  stays_ = of(kFirst);
+  excluded_ = of(kFirst);
   EXPECT_FALSE(finer().areDivided());
-  stays_ = {};
+  excluded_ = {};
   table_.say(of(kFirst), UserLabel::background);
   EXPECT_FALSE(finer().areDivided());
 }
 
-TEST_F(FinerRegionsTest, APartThatIsAWholeBecomesARegionAndStaysOne) {
+TEST_F(FinerRegionsTest, PartBecomesARegion_WhenItIsAnObject) {
   const FinerRegions finer = this->finer();
-  const RegionSet whole{finer.table().regionOf(kSecond)};
+  const RegionSet object{finer.table().regionOf(kSecond)};
   RegionEvents events;
-  finer.apply(std::vector{whole}, table_, merger_, voxels_, events);
+  finer.apply(std::vector{object}, table_, merger_, voxels_, events);
   EXPECT_NE(of(kFirst), of(kSecond));
   EXPECT_THAT(events.parted, SizeIs(1));
   EXPECT_THAT(events.joined, IsEmpty());
-  EXPECT_EQ(finer.regionsOf(whole, table_), RegionSet{of(kSecond)});
+  EXPECT_EQ(finer.regionsOf(object, table_), RegionSet{of(kSecond)});
   EXPECT_EQ(merger_.constraintBetween(kFirst, kSecond), LinkConstraint::cannot_link);
   // The evidence alone would join them again.
   EXPECT_EQ(merger_.joiningOdds(of(kFirst), of(kSecond), table_, voxels_, params_), std::nullopt);
 }
 
-TEST_F(FinerRegionsTest, AWholeOfAPartAndAnotherRegionIsASetOfRegions) {
+TEST_F(FinerRegionsTest, PartIsSplitOff_WhenItsObjectIncludesAnotherRegion) {
   const FinerRegions finer = this->finer();
-  const RegionSet whole{finer.table().regionOf(kSecond), of(kThird)};
+  const RegionSet object{finer.table().regionOf(kSecond), of(kThird)};
   RegionEvents events;
-  finer.apply(std::vector{whole}, table_, merger_, voxels_, events);
-  EXPECT_EQ(finer.regionsOf(whole, table_), (RegionSet{of(kSecond), of(kThird)}));
+  finer.apply(std::vector{object}, table_, merger_, voxels_, events);
+  EXPECT_EQ(finer.regionsOf(object, table_), (RegionSet{of(kSecond), of(kThird)}));
   EXPECT_NE(of(kSecond), of(kFirst));
 }
 
-TEST_F(FinerRegionsTest, WholesThatAreRegionsChangeNothing) {
+TEST_F(FinerRegionsTest, ChangesNothing_WhenObjectsAreRegions) {
   const FinerRegions finer = this->finer();
   const RegionSet books = finer.partsOf({of(kFirst)});
   const std::uint64_t version = table_.version();

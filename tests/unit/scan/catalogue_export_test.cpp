@@ -23,7 +23,7 @@ using test::sameImage;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-class ExportedCatalogue : public testing::Test {
+class ExportCatalogueTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto database = openOrFail(file());
@@ -36,11 +36,11 @@ class ExportedCatalogue : public testing::Test {
     EXPECT_TRUE(database->addView(view));
     EXPECT_TRUE(database->rename(first_, "a/b: \"mug\""));
     second_ = database->addObject(randomView(3))->id;
-    const ObjectId gone = database->addObject(randomView(4))->id;
-    EXPECT_TRUE(database->remove(std::array{gone}));
+    const ObjectId removed = database->addObject(randomView(4))->id;
+    EXPECT_TRUE(database->remove(std::array{removed}));
   }
   [[nodiscard]] std::string file() const { return (home_ / "catalogue.sqlite").string(); }
-  [[nodiscard]] std::set<std::string> filesThere() const {
+  [[nodiscard]] std::set<std::string> allFiles() const {
     std::set<std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(home_.path()))
       files.insert(entry.path().string());
@@ -53,7 +53,7 @@ class ExportedCatalogue : public testing::Test {
   ObjectId first_, second_;
 };
 
-TEST_F(ExportedCatalogue, HasAFolderForEachObjectAndAnIndex) {
+TEST_F(ExportCatalogueTest, WritesAFolderForEachObjectAndAnIndex) {
   int steps = 0;
   const auto done = exportCatalogue(file(), home_ / "out", [&](const ExportProgress& progress) {
     EXPECT_LE(progress.done, progress.total);
@@ -87,32 +87,32 @@ TEST_F(ExportedCatalogue, HasAFolderForEachObjectAndAnIndex) {
                 written.T_world_camera.matrix()(i / 4, i % 4), 1e-12);
   EXPECT_EQ(view["camera"]["fx"], 500);
   EXPECT_EQ(view["box_px"], (Json{1, 20, 40, 30}));
-  EXPECT_EQ(view["crop_camera"]["width"], 31) << "of the images, which are the box at their own size";
+  EXPECT_EQ(view["crop_camera"]["width"], 31) << "the width of the stored crop";
   EXPECT_NEAR(view["crop_camera"]["fx"].get<double>(), 500 * 31 / 40.0, 1e-3);
   EXPECT_NEAR(view["crop_camera"]["cx"].get<double>(), (320 - 1 + 0.5) * 31 / 40 - 0.5, 1e-3);
   const Json other =
       Json::parse(readText(home_ / "out" / index[1]["folder"].get<std::string>() / "000003.json"));
-  EXPECT_TRUE(other["camera"].is_null()) << "nobody said it";
+  EXPECT_TRUE(other["camera"].is_null()) << "the view has no session";
 }
 
-TEST_F(ExportedCatalogue, LeavesTheCatalogueAsItIs) {
-  const std::set<std::string> before = filesThere();
+TEST_F(ExportCatalogueTest, LeavesTheCatalogueUnchanged) {
+  const std::set<std::string> before = allFiles();
   const std::string bytes = readText(file());
   ASSERT_TRUE(exportCatalogue(file(), home_ / "out"));
   EXPECT_EQ(readText(file()), bytes);
   fs::remove_all(home_ / "out");
-  EXPECT_EQ(filesThere(), before);
+  EXPECT_EQ(allFiles(), before);
 }
 
-TEST_F(ExportedCatalogue, IsWrittenWhileAnotherProgramHasItOpen) {
+TEST_F(ExportCatalogueTest, Succeeds_WhileAnotherProgramHasTheCatalogueOpen) {
   const auto other = openOrFail(file());
   ASSERT_TRUE(other->rename(second_, "box"));
   const auto done = exportCatalogue(file(), home_ / "out");
   ASSERT_TRUE(done) << done.error().message();
-  EXPECT_THAT(readText(home_ / "out" / "objects.json"), HasSubstr("\"box\"")) << "what it has just written";
+  EXPECT_THAT(readText(home_ / "out" / "objects.json"), HasSubstr("\"box\"")) << "the latest name";
 }
 
-TEST_F(ExportedCatalogue, IsMadeAnewWhenSomebodyBeginsToWrite) {
+TEST_F(ExportCatalogueTest, Restarts_WhenAnotherProgramWrites) {
   std::unique_ptr<ObjectDatabase> other;
   const auto done = exportCatalogue(file(), home_ / "out", [&](const ExportProgress&) {
     if (other) return;
@@ -124,13 +124,13 @@ TEST_F(ExportedCatalogue, IsMadeAnewWhenSomebodyBeginsToWrite) {
   EXPECT_THAT(readText(home_ / "out" / "objects.json"), HasSubstr("\"box\""));
 }
 
-TEST_F(ExportedCatalogue, IsThereWholeOrNotAtAll) {
+TEST_F(ExportCatalogueTest, WritesNothing_WhenCancelledOrRefused) {
   std::stop_source stop;
   const auto cancelled = exportCatalogue(
       file(), home_ / "out", [&](const ExportProgress&) { stop.request_stop(); }, stop.get_token());
   ASSERT_FALSE(cancelled);
   EXPECT_THAT(cancelled.error().what, HasSubstr("cancelled"));
-  EXPECT_EQ(filesThere(), std::set<std::string>{file()});
+  EXPECT_EQ(allFiles(), std::set<std::string>{file()});
 
   static_cast<void>(home_.write("full/file", "x"));
   EXPECT_THAT(exportCatalogue(file(), home_ / "full").error().message(), HasSubstr("not empty"));

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 constexpr int kRecorded = 3;
 constexpr const char* kRecording = "demo:tabletop:3";
 
-/// A map that shows one region from everywhere, 1 m away.
+/// A map that shows one region 1 m away from every pose.
 FrameLabelWriter::RenderView mapOfRegion(std::uint32_t region) {
   return [region](const Eigen::Isometry3d&) -> Result<RenderedView> {
     RenderedView view;
@@ -82,7 +82,7 @@ class FinalLabelImagesTest : public testing::Test {
   [[nodiscard]] std::filesystem::path fileOf(int frame) const {
     return folder_ / "labels-final" / labelFileName(frame);
   }
-  /// The only region that an image shows; -1: there is no such image, or it shows none or several.
+  /// The only region in an image; -1 if the image is missing or has no region or several.
   [[nodiscard]] int shownIn(int frame) const {
     const Result<cv::Mat> image = readLabelImage(fileOf(frame));
     if (!image) return -1;
@@ -104,17 +104,17 @@ class FinalLabelImagesTest : public testing::Test {
   int stored_ = 0;
 };
 
-TEST_F(FinalLabelImagesTest, DrawsAllImagesAgain_WhenTheRecordingIsThere) {
+TEST_F(FinalLabelImagesTest, RedrawsAllImages_WhenTheRecordingExists) {
   ASSERT_EQ(shown(), (std::vector{5, 5, 5}));
   redraw();
   EXPECT_EQ(shown(), (std::vector{7, 7, 7}));
   EXPECT_EQ(remarks(), "");
   EXPECT_EQ(stored_, 2) << "the record names new files before they are written, and at the end";
   redraw();
-  EXPECT_EQ(remarks(), "") << "the record is not that of the new files";
+  EXPECT_EQ(remarks(), "") << "the record does not match the new files";
 }
 
-TEST_F(FinalLabelImagesTest, FindsFramesOfALaterRecordingByTheirShift) {
+TEST_F(FinalLabelImagesTest, FindsFrames_WhenALaterRecordingIsShifted) {
   for (SavedFrame& frame : earlier_.frames) frame.source_index += 100;
   FinalLabelRecord record = finalLabelsFrom(earlier_.metadata);
   for (FinalLabelImage& image : record) {
@@ -128,7 +128,7 @@ TEST_F(FinalLabelImagesTest, FindsFramesOfALaterRecordingByTheirShift) {
   EXPECT_EQ(remarks(), "");
 }
 
-TEST_F(FinalLabelImagesTest, KeepsAnImageThatAPersonChanged) {
+TEST_F(FinalLabelImagesTest, KeepsAnImage_WhenAPersonChangedIt) {
   const std::string by_person = readText(folder_ / "segments" / labelFileName(1));
   ASSERT_NE(by_person, readText(fileOf(1)));
   std::ofstream(fileOf(1), std::ios::binary) << by_person;
@@ -145,14 +145,14 @@ TEST_F(FinalLabelImagesTest, KeepsAllImages_WhenTheSessionHasNoRecordOfThem) {
   EXPECT_THAT(remarks(), HasSubstr("did not write 3 images in "));
 }
 
-TEST_F(FinalLabelImagesTest, BringsBackNoImageThatAPersonRemoved) {
+TEST_F(FinalLabelImagesTest, RestoresNoImage_WhenAPersonRemovedIt) {
   std::filesystem::remove(fileOf(2));
   redraw();
   EXPECT_EQ(shown(), (std::vector{7, 7, -1}));
   EXPECT_EQ(remarks(), "");
 }
 
-TEST_F(FinalLabelImagesTest, SaysWhichImagesStay_WhenTheRecordingIsGone) {
+TEST_F(FinalLabelImagesTest, NamesUnchangedImages_WhenTheRecordingIsMissing) {
   earlier_.recordings[0].source = (folder_ / "recording").string();
   redraw();
   EXPECT_EQ(shown(), (std::vector{5, 5, 5}));
@@ -160,42 +160,30 @@ TEST_F(FinalLabelImagesTest, SaysWhichImagesStay_WhenTheRecordingIsGone) {
               testing::AllOf(HasSubstr("missing in 3 images"), HasSubstr("recording cannot be read")));
 }
 
-TEST_F(FinalLabelImagesTest, SaysWhichImagesStay_WhenTheRecordingShowsSomethingElse) {
+TEST_F(FinalLabelImagesTest, NamesUnchangedImages_WhenTheRecordingDiffers) {
   earlier_.recordings[0].source = "demo:tabletop:4";
   redraw();
   EXPECT_EQ(shown(), (std::vector{5, 5, 5}));
   EXPECT_THAT(remarks(), HasSubstr("has other frames"));
 }
 
-TEST_F(FinalLabelImagesTest, StartsNoCamera) {
+TEST_F(FinalLabelImagesTest, StartsNoCamera_WhenTheSourceIsACamera) {
   earlier_.recordings[0].source = "camera";
   redraw();
   EXPECT_EQ(shown(), (std::vector{5, 5, 5}));
   EXPECT_THAT(remarks(), HasSubstr("only key frames of a camera"));
 }
 
-TEST_F(FinalLabelImagesTest, KnowsTheFilesOfARunThatWasKilledWhileItDrew) {
+TEST_F(FinalLabelImagesTest, RedrawsAllImages_WhenTheLastRunWasKilled) {
   FinalLabelRecord record = finalLabelsFrom(earlier_.metadata);
   ASSERT_EQ(record.size(), static_cast<std::size_t>(kRecorded));
-  // The file is the new one already.
+  // The new file was written, but not yet recorded.
   record[1].next_checksum = record[1].checksum;
   record[1].checksum = 0;
   setRecord(record);
   redraw();
   EXPECT_EQ(shown(), (std::vector{7, 7, 7}));
   EXPECT_EQ(remarks(), "");
-}
-
-TEST(FinalLabelRecord, IsEmpty_WhenTheMetadataIsDamaged) {
-  SessionMetadata metadata{{kFinalLabelsKey, finalLabelsToText({{3, 4, 0.001F, 5, 6}})}};
-  const FinalLabelRecord record = finalLabelsFrom(metadata);
-  ASSERT_EQ(record.size(), 1U);
-  EXPECT_EQ(record[0].frame_index, 3);
-  EXPECT_EQ(record[0].depth_checksum, 4U);
-  EXPECT_EQ(record[0].checksum, 5U);
-  EXPECT_EQ(record[0].next_checksum, 6U);
-  metadata[kFinalLabelsKey] = "nonsense";
-  EXPECT_TRUE(finalLabelsFrom(metadata).empty());
 }
 
 }  // namespace

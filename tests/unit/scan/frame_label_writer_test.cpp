@@ -31,12 +31,12 @@ FrameLabelWriter::Frame frameOf(int index, std::uint32_t left, std::uint32_t rig
     frame.segments.depths_m.push_back(1);
     frame.regions.push_back(RegionId{is_left ? left : right});
   }
-  // Where the camera stood says which frame it was.
+  // The position encodes the frame index.
   frame.T_world_camera.translation().x() = index;
   return frame;
 }
 
-/// A map that shows `left` and `right` from every place, as frameOf does.
+/// A map that shows `left` and `right` from every pose, as frameOf().
 FrameLabelWriter::RenderView mapOf(std::uint32_t left, std::uint32_t right) {
   return [=](const Eigen::Isometry3d&) -> Result<RenderedView> {
     RenderedView view;
@@ -58,7 +58,7 @@ std::string nameOf(int index) {
   return std::string("0000") + (index < 10 ? "0" : "") + std::to_string(index) + ".png";
 }
 
-/// The values of the left and the right half of a file, which must be even.
+/// The values of the left and right half of an image; each half must have one value.
 std::pair<int, int> halves(const std::filesystem::path& file) {
   const Result<cv::Mat> image = readLabelImage(file);
   if (!image || image->size() != cv::Size(2 * kWidth, 2 * kHeight)) return {-1, -1};
@@ -70,8 +70,8 @@ std::pair<int, int> halves(const std::filesystem::path& file) {
   return {valueOf(0), valueOf(kWidth)};
 }
 
-// More frames than may wait; regions have their ids.
-TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
+// More frames than may wait. Region numbers equal ids.
+TEST(FrameLabelWriter, WritesAllImages_WhenFramesExceedTheQueue) {
   const TemporaryFolder folder;
   makeFolders(folder);
   constexpr int kFrames = 5 * static_cast<int>(FrameLabelWriter::kMaxWaiting);
@@ -80,7 +80,7 @@ TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
   for (int i = 0; i < kFrames; ++i) {
     ASSERT_TRUE(writer.add(frameOf(i, 90, i < 20 ? 30U + static_cast<std::uint32_t>(i) : 29U)));
   }
-  // From where frame 1 was taken, both halves are the left one by now; elsewhere the right one is new.
+  // The final map shows one region from the pose of frame 1, and a new right region from all others.
   ASSERT_TRUE(writer.finish(
       [](const Eigen::Isometry3d& T) { return mapOf(90, T.translation().x() == 1 ? 90 : 95)(T); }));
   for (int i = 0; i < kFrames; ++i) {
@@ -91,7 +91,7 @@ TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
   EXPECT_EQ(numbers.count(), 24U);
 }
 
-TEST(FrameLabelWriter, TheSameFramesGiveTheSameFiles) {
+TEST(FrameLabelWriter, IsDeterministic) {
   std::vector<std::string> files[2];
   for (auto& contents : files) {
     const TemporaryFolder folder;
@@ -108,7 +108,7 @@ TEST(FrameLabelWriter, TheSameFramesGiveTheSameFiles) {
   EXPECT_GT(files[0][0].size(), 50U);
 }
 
-TEST(FrameLabelWriter, AFileThatCannotBeWrittenIsAnErrorThatNamesItAndTheOthersAreKept) {
+TEST(FrameLabelWriter, NamesTheFileAndKeepsTheOthers_WhenAFileCannotBeWritten) {
   const TemporaryFolder folder;
   makeFolders(folder);
   std::filesystem::create_directories(folder / "labels" / "000003.png" / "in the way");
@@ -116,7 +116,7 @@ TEST(FrameLabelWriter, AFileThatCannotBeWrittenIsAnErrorThatNamesItAndTheOthersA
   FrameLabelWriter writer(folder.path(), numbers);
   Result<void> added;
   for (int i = 0; i < 100 && added; ++i) added = writer.add(frameOf(i, 5, 6));
-  ASSERT_FALSE(added) << "a hundred frames went by without a word";
+  ASSERT_FALSE(added) << "no error after 100 frames";
   EXPECT_THAT(added.error().what, HasSubstr("labels/000003.png"));
   const Result<void> finished = writer.finish(mapOf(5, 6));
   ASSERT_FALSE(finished);
@@ -124,7 +124,7 @@ TEST(FrameLabelWriter, AFileThatCannotBeWrittenIsAnErrorThatNamesItAndTheOthersA
   EXPECT_EQ(halves(folder / "labels-final" / "000002.png"), std::pair(5, 6));
 }
 
-TEST(FrameLabelWriter, OnlyLabelImagesAreLeftInTheFolders) {
+TEST(FrameLabelWriter, LeavesOnlyLabelImages) {
   const TemporaryFolder folder;
   makeFolders(folder);
   RegionNumbers numbers;
@@ -140,7 +140,7 @@ TEST(FrameLabelWriter, OnlyLabelImagesAreLeftInTheFolders) {
   }
 }
 
-TEST(FrameLabelWriter, AMapThatCannotBeLookedAtIsAnError) {
+TEST(FrameLabelWriter, Fails_WhenTheMapCannotBeRendered) {
   const TemporaryFolder folder;
   makeFolders(folder);
   RegionNumbers numbers;

@@ -9,14 +9,14 @@
 namespace scantrove {
 namespace {
 
-TEST(PackedColor, KeepsAllBytesAndTellsBlackFromUnseen) {
+TEST(PackedColor, KeepsAllBytesAndDistinguishesBlackFromUnknown) {
   EXPECT_EQ(PackedColor::of(1, 2, 255).rgb, (std::array<std::uint8_t, 3>{1, 2, 255}));
   EXPECT_FALSE(PackedColor().known());
   EXPECT_TRUE(PackedColor::of(0, 0, 0).known());
   EXPECT_LE(PackedColor::of(0, 0, 0).rgb[0], 1);
 }
 
-TEST(PackedNormal, IsTheSameDirectionToAboutADegree) {
+TEST(PackedNormal, KeepsTheDirection_WithinTwoDegrees) {
   std::mt19937 random(11);
   std::normal_distribution<float> any;
   for (int i = 0; i < 5000; ++i) {
@@ -33,16 +33,16 @@ TEST(PackedNormal, IsTheSameDirectionToAboutADegree) {
   }
 }
 
-TEST(PackedNormal, NoneStaysNone) {
+TEST(PackedNormal, StaysUnknown_WhenZero) {
   EXPECT_FALSE(PackedNormal::of(Eigen::Vector3f::Zero()).known());
   EXPECT_EQ(PackedNormal().unpacked(), Eigen::Vector3f(Eigen::Vector3f::Zero()));
   EXPECT_TRUE(PackedNormal::of(Eigen::Vector3f::UnitZ()).known());
 }
 
-TEST(CloudPoint, IsSmallAndKnowsWhereTheSurfaceIs) {
+TEST(CloudPoint, IsSmallAndGivesItsSurfacePoint) {
   EXPECT_LE(sizeof(CloudBrick::Point), 24U);
   CloudBrick::Point point{1, 2, 3, FragmentId{4}};
-  EXPECT_EQ(point.onSurface(0.006F), point.center()) << "no normal, no better place";
+  EXPECT_EQ(point.onSurface(0.006F), point.center()) << "without a normal, the voxel centre";
   point.normal = PackedNormal::of(Eigen::Vector3f::UnitX());
   point.height = 50;
   EXPECT_NEAR(point.onSurface(0.006F).x(), 0.997F, 1e-4);

@@ -24,7 +24,7 @@ std::optional<Error> addFrames(ScanAdvisor& advisor, int count, bool is_usable, 
   return advice;
 }
 
-TEST(ScanAdvisor, BeginsAnew_WhenTheCameraIsLostForASecondAfterTheFirstFrame) {
+TEST(ScanAdvisor, IsMisled_WhenTheCameraIsLostAfterTheFirstFrame) {
   ScanAdvisor advisor(kMaxDepth_m);
   addFrames(advisor, 1, true);
   addFrames(advisor, ScanAdvisor::kLostFrames - 1, false);
@@ -34,17 +34,17 @@ TEST(ScanAdvisor, BeginsAnew_WhenTheCameraIsLostForASecondAfterTheFirstFrame) {
   EXPECT_THAT(advisor.beginAnew(30).message(), HasSubstr("after the first frame and not found again"));
   EXPECT_FALSE(advisor.isMisled());
   addFrames(advisor, ScanAdvisor::kLostFrames, false);
-  EXPECT_FALSE(advisor.isMisled()) << "there is no map that could be wrong";
+  EXPECT_FALSE(advisor.isMisled()) << "there is no map yet";
 }
 
-TEST(ScanAdvisor, GoesOn_WhenTheMapIsNoLongerYoung) {
+TEST(ScanAdvisor, IsNotMisled_WhenTheMapIsOlder) {
   ScanAdvisor advisor(kMaxDepth_m);
   addFrames(advisor, ScanAdvisor::kYoungMapFrames + 1, true);
   addFrames(advisor, 10 * ScanAdvisor::kLostFrames, false);
   EXPECT_FALSE(advisor.isMisled());
 }
 
-TEST(ScanAdvisor, GoesOn_WhenTheCameraIsFoundAgain) {
+TEST(ScanAdvisor, IsNotMisled_WhenTheCameraIsFoundAgain) {
   ScanAdvisor advisor(kMaxDepth_m);
   for (int i = 0; i < 3; ++i) {
     addFrames(advisor, 1, true);
@@ -53,7 +53,7 @@ TEST(ScanAdvisor, GoesOn_WhenTheCameraIsFoundAgain) {
   EXPECT_FALSE(advisor.isMisled());
 }
 
-TEST(ScanAdvisor, SaysOnceThatMostIsTooFarAway) {
+TEST(ScanAdvisor, WarnsOnce_WhenMostDepthIsTooFar) {
   ScanAdvisor advisor(kMaxDepth_m);
   const auto advice = addFrames(advisor, 20, true, 7);
   ASSERT_TRUE(advice);
@@ -61,7 +61,7 @@ TEST(ScanAdvisor, SaysOnceThatMostIsTooFarAway) {
   EXPECT_FALSE(addFrames(advisor, 100, true, 7));
 }
 
-TEST(ScanAdvisor, SaysNothingOfDepth_WhenMostFramesShowWhatIsNear) {
+TEST(ScanAdvisor, DoesNotWarn_WhenMostFramesAreNear) {
   ScanAdvisor advisor(kMaxDepth_m);
   EXPECT_FALSE(addFrames(advisor, 8, true, 7));
   EXPECT_FALSE(addFrames(advisor, 40, true, 2));

@@ -47,7 +47,7 @@ TEST_F(ScanTallyTest, CountsALateFrameAsTracked_WhenItWasLostBefore) {
   EXPECT_THAT(report().lost_frames, ElementsAre(2));
 }
 
-TEST_F(ScanTallyTest, CountsTheFramesOfAMapAsLost_WhenItIsGivenUp) {
+TEST_F(ScanTallyTest, CountsTrackedFramesAsLost_WhenTheMapIsDiscarded) {
   static_cast<void>(tally_.addFrame(tracked(), 4));
   static_cast<void>(tally_.addFrame(lost(), 3));
   tally_.beginAnew();
@@ -57,8 +57,8 @@ TEST_F(ScanTallyTest, CountsTheFramesOfAMapAsLost_WhenItIsGivenUp) {
   EXPECT_THAT(report().lost_frames, ElementsAre(3, 4));
 }
 
-TEST_F(ScanTallyTest, TellsOfDriftOnce_UntilItIsClearlyWorse) {
-  EXPECT_FALSE(tally_.addFrame(returnedAfterDrift(0.05), 1)) << "landmarks are no more exact";
+TEST_F(ScanTallyTest, WarnsOfDriftOnce_UntilItGrowsClearly) {
+  EXPECT_FALSE(tally_.addFrame(returnedAfterDrift(0.05), 1)) << "within the accuracy of landmarks";
   const std::optional<Error> first = tally_.addFrame(returnedAfterDrift(0.12), 2);
   ASSERT_TRUE(first);
   EXPECT_THAT(first->message(), HasSubstr("12 cm"));

@@ -30,28 +30,28 @@ class WaitingBricksTest : public testing::Test {
   WaitingBricks waiting_;
 };
 
-TEST_F(WaitingBricksTest, ABrickIsTakenOnceHoweverOftenItWasAdded) {
+TEST_F(WaitingBricksTest, TakesABrickOnce_WhenAddedSeveralTimes) {
   addFrameOf({kTable, kMug, kTable});
   waiting_.add(Positions{kMug});
   EXPECT_EQ(takeDue(), (Positions{kTable, kMug}));
   EXPECT_TRUE(takeDue().empty());
 }
 
-TEST_F(WaitingBricksTest, NoMoreAreTakenThanWanted) {
+TEST_F(WaitingBricksTest, TakesAtMostTheRequestedNumber) {
   addFrameOf({kTable, kMug, kWall});
   EXPECT_EQ(takeDue(2), (Positions{kTable, kMug}));
   EXPECT_EQ(takeDue(2), (Positions{kWall}));
 }
 
-TEST_F(WaitingBricksTest, WhatWasNeverShownComesBeforeWhatWas) {
+TEST_F(WaitingBricksTest, TakesNewBricksFirst) {
   addFrameOf({kTable});
   EXPECT_EQ(takeDue(), Positions{kTable});
   addFrameOf({kTable, kMug});
   EXPECT_EQ(takeDue(), (Positions{kMug, kTable}));
 }
 
-// Twice as many frames each time, up to the longest wait: frames 1, 2, 4, 8, 16, 32, and then every 24.
-TEST_F(WaitingBricksTest, WhatChangesInEveryFrameIsShownLessAndLessOften) {
+// The wait doubles up to its limit: frames 1, 2, 4, 8, 16, 32, then every 24.
+TEST_F(WaitingBricksTest, TakesABrickLessOften_WhenItChangesInEveryFrame) {
   std::vector<int> shown_in;
   for (int frame = 1; frame <= 110; ++frame) {
     addFrameOf({kTable});
@@ -60,18 +60,18 @@ TEST_F(WaitingBricksTest, WhatChangesInEveryFrameIsShownLessAndLessOften) {
   EXPECT_EQ(shown_in, (std::vector<int>{1, 2, 4, 8, 16, 32, 56, 80, 104}));
 }
 
-TEST_F(WaitingBricksTest, WhatWaitsForItsTurnIsThereWhenAllAreWanted) {
+TEST_F(WaitingBricksTest, TakeAnyIncludesDelayedBricks) {
   for (int frame = 0; frame < 2; ++frame) {
     addFrameOf({kTable});
     EXPECT_EQ(takeDue(), Positions{kTable});
   }
   addFrameOf({kTable});
-  EXPECT_TRUE(takeDue().empty()) << "not yet";
+  EXPECT_TRUE(takeDue().empty()) << "its wait is not over";
   EXPECT_EQ(positionsOf(waiting_.takeAny(100)), Positions{kTable});
   EXPECT_TRUE(waiting_.takeAny(100).empty());
 }
 
-TEST_F(WaitingBricksTest, WhatAPersonChangedIsFirstAndMarkedAndNotTakenTwice) {
+TEST_F(WaitingBricksTest, TakesAndMarksUserChangesFirst) {
   addFrameOf({kTable, kMug});
   EXPECT_EQ(takeDue(), (Positions{kTable, kMug}));
   addFrameOf({kWall, kTable, kMug});
@@ -81,7 +81,7 @@ TEST_F(WaitingBricksTest, WhatAPersonChangedIsFirstAndMarkedAndNotTakenTwice) {
   EXPECT_TRUE(taken[0].by_person);
   EXPECT_FALSE(taken[1].by_person);
   EXPECT_FALSE(taken[2].by_person);
-  // Whatever its turn would be.
+  // A user change is never delayed.
   waiting_.addByPerson(Positions{kMug});
   EXPECT_EQ(takeDue(), Positions{kMug});
 }

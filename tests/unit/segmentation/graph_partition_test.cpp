@@ -21,7 +21,7 @@ struct RandomGraph {
   std::vector<std::uint16_t> keys;
 };
 
-/// Few distinct weights where `distinct` is small: many ties. Parallel edges and loops occur.
+/// A small `distinct` gives many ties. Parallel edges and loops occur.
 RandomGraph randomGraph(std::mt19937& random, std::size_t nodes, std::size_t edge_count, int distinct) {
   RandomGraph graph{nodes, {}, {}};
   std::uniform_int_distribution<std::uint32_t> node(0, static_cast<std::uint32_t>(nodes - 1));
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> partition(const RandomGraph& graph, float k, std::uin
   return result;
 }
 
-TEST(EdgeKey, IsMonotoneAndFine) {
+TEST(EdgeKey, IsMonotonicAndPrecise) {
   std::uint16_t previous = 0;
   for (float weight = 1e-8F; weight <= 4.0F; weight *= 1.0007F) {
     const std::uint16_t key = edgeKey(weight);
@@ -68,7 +68,7 @@ TEST(EdgeKey, IsMonotoneAndFine) {
   EXPECT_LT(kEdgeKeys, std::uint32_t{kEdgeNever});
 }
 
-TEST(SortEdges, IsStableAndLeavesOutWhatNeverJoins) {
+TEST(SortEdges, IsStableAndOmitsEdgesThatNeverJoin) {
   const std::vector<std::uint16_t> keys = {7, kEdgeNever, 3, 7, 0, kEdgeNever, 3, 65534};
   std::vector<std::uint32_t> counts, order;
   sortEdges(keys, counts, order);
@@ -77,7 +77,7 @@ TEST(SortEdges, IsStableAndLeavesOutWhatNeverJoins) {
   EXPECT_TRUE(order.empty());
 }
 
-TEST(GraphPartition, EqualsTheLiteralAlgorithmOnRandomGraphs) {
+TEST(GraphPartition, EqualsTheLiteralAlgorithm_OnRandomGraphs) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 400; ++trial) {
     const std::size_t nodes = 1 + random() % 24;
@@ -107,7 +107,7 @@ TEST(GraphPartition, IsNotTooFine) {
   }
 }
 
-TEST(GraphPartition, SmallComponentsGoToTheirMostSimilarNeighbor) {
+TEST(GraphPartition, SmallComponentsJoinTheirMostSimilarNeighbor) {
   // 0-1-2-3 | 4 | 5-6-7-8: node 4 is nearer to the right.
   RandomGraph graph{9, {}, {}};
   const auto edge = [&](std::uint32_t a, std::uint32_t b, float weight) {

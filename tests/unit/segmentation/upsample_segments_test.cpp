@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-TEST(DepthUpsampler, WithoutReadingsTakesThePixelThatTheSmallCameraSees) {
+TEST(DepthUpsampler, TakesTheNearestPixel_WithoutDepthReadings) {
   std::vector<std::uint32_t> ids;
   for (std::uint32_t i = 1; i <= 35; ++i) ids.push_back(i);
   const std::vector<float> depths_m(35, 1.0F);
@@ -29,9 +29,9 @@ TEST(DepthUpsampler, WithoutReadingsTakesThePixelThatTheSmallCameraSees) {
   }
 }
 
-TEST(DepthUpsampler, OutlinesFollowTheDepthImage) {
-  // A near surface (1) left of column 5 of the large image, a far one (2) right of it; the small map has lost
-  // its middle.
+TEST(DepthUpsampler, FollowsOutlinesOfTheDepthImage) {
+  // A near surface (1) left of column 5 of the large image, a far one (2) right of it. The small map has no
+  // ids in the middle.
   const int width = 4, height = 3;
   std::vector<std::uint32_t> ids;
   std::vector<float> depths_m;
@@ -46,9 +46,9 @@ TEST(DepthUpsampler, OutlinesFollowTheDepthImage) {
   for (int v = 0; v < 6; ++v) {
     for (int u = 0; u < 8; ++u) depth.push_back(u < 5 ? 800 : 950);
   }
-  depth[3] = 0;    // no reading: the nearest pixel's id, which is none
-  depth[6] = 0;    // the same where the nearest is labelled
-  depth[1] = 500;  // a surface that the map does not have
+  depth[3] = 0;    // no reading: the id of the nearest pixel, here none
+  depth[6] = 0;    // no reading: the id of the nearest pixel, here 2
+  depth[1] = 500;  // a surface missing in the map
   const std::vector<std::uint32_t> result =
       DepthUpsampler(depths_m, width, height, {8, 6, depth, 0.001F}).apply(ids);
   EXPECT_EQ(result[3], 0U);
@@ -59,7 +59,7 @@ TEST(DepthUpsampler, OutlinesFollowTheDepthImage) {
   }
 }
 
-/// The definition: every pixel of the search is looked at, row by row; the first of the cheapest wins.
+/// The definition: an exhaustive search by rows; of equal costs the first wins.
 std::vector<std::uint32_t> upsampleByTheDefinition(const std::vector<std::uint32_t>& ids,
                                                    const std::vector<float>& depths_m, int width, int height,
                                                    const DepthGuide& guide) {
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> upsampleByTheDefinition(const std::vector<std::uint32
   return result;
 }
 
-TEST(DepthUpsampler, IsTheDefinitionOnSurfacesWithStepsHolesAndNoise) {
+TEST(DepthUpsampler, EqualsTheDefinition_WithStepsHolesAndNoise) {
   std::mt19937 random(11);
   const int width = 40, height = 30;
   std::vector<std::uint32_t> ids;
@@ -100,7 +100,7 @@ TEST(DepthUpsampler, IsTheDefinitionOnSurfacesWithStepsHolesAndNoise) {
   for (int i = 0; i < width * height; ++i) {
     const bool is_near = (i % width / 7 + i / width / 5) % 2 == 0;
     const bool is_hole = random() % 5 == 0;
-    ids.push_back(is_hole || random() % 6 == 0 ? 0 : 1 + random() % 4);  // some surface has no id
+    ids.push_back(is_hole || random() % 6 == 0 ? 0 : 1 + random() % 4);  // a part of the surface has no id
     depths_m.push_back(is_hole ? 0 : (is_near ? 0.9F : 1.3F) + 1e-4F * static_cast<float>(random() % 100));
   }
   for (const auto& [large_width, large_height] : {std::pair(80, 60), std::pair(97, 61), std::pair(33, 20)}) {
@@ -108,7 +108,7 @@ TEST(DepthUpsampler, IsTheDefinitionOnSurfacesWithStepsHolesAndNoise) {
     for (int i = 0; i < large_width * large_height; ++i) {
       const bool is_near =
           (i % large_width * width / large_width / 7 + i / large_width * height / large_height / 5) % 2 == 0;
-      // Coarse steps make equal costs, where the order decides.
+      // Coarse steps give equal costs, so the order matters.
       depth.push_back(random() % 9 == 0 ? 0
                                         : static_cast<std::uint16_t>((is_near ? 900 : 1300) + random() % 10));
     }
@@ -119,7 +119,7 @@ TEST(DepthUpsampler, IsTheDefinitionOnSurfacesWithStepsHolesAndNoise) {
   }
 }
 
-TEST(DepthUpsampler, EmptyMapsGiveUnlabeledPixels) {
+TEST(DepthUpsampler, GivesUnlabeledPixels_WhenTheMapIsEmpty) {
   const std::vector<std::uint16_t> depth(12, 1000);
   EXPECT_EQ(DepthUpsampler({}, 0, 0, {4, 3, depth, 0.001F}).apply(std::vector<std::uint32_t>()),
             std::vector<std::uint32_t>(12, 0));

@@ -15,14 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is flushed while a test runs; null between them.
+/// Records flushes during a test.
 struct Flushes {
-  fs::path watched;                     ///< noted is what is flushed as long as it is there
-  bool map_fails = false;               ///< the disk fails for files of the map
-  bool new_map_fails = false;           ///< for all but the first
+  fs::path watched;                     ///< flushes are recorded while this file exists
+  bool map_fails = false;               ///< flushing a map file fails
+  bool new_map_fails = false;           ///< flushing any map file but the first fails
   std::vector<std::string> names = {};  ///< of files and folders, in order
 };
-Flushes* flushes = nullptr;
+Flushes* flushes = nullptr;  ///< null between tests
 
 int flush(long call, int file) {
   if (flushes != nullptr) {
@@ -41,7 +41,7 @@ int flush(long call, int file) {
 }  // namespace
 }  // namespace scantrove
 
-// In place of the C library's.
+// Replaces the C library's functions.
 extern "C" int fdatasync(int file) { return scantrove::flush(SYS_fdatasync, file); }
 extern "C" int fsync(int file) { return scantrove::flush(SYS_fsync, file); }
 
@@ -96,19 +96,19 @@ TEST_F(CompactionTest, KeepsTheOldMap_WhenTheNewOneCannotBeFlushed) {
   EXPECT_EQ(*store_->loadPage({0, 0, 0}), pages_[0].words);
 }
 
-TEST_F(CompactionTest, FlushesPages_BeforeTheirPlacesAreSaved) {
+TEST_F(CompactionTest, FlushesPages_BeforeTheirPositionsAreSaved) {
   ASSERT_TRUE(savePage());
   EXPECT_THAT(flushes_.names, testing::IsSupersetOf({"000001.bricks", "map"}));
 }
 
-TEST_F(CompactionTest, SavesNoPlace_WhenItsPageCannotBeFlushed) {
+TEST_F(CompactionTest, SavesNoPosition_WhenItsPageCannotBeFlushed) {
   ASSERT_TRUE(savePage());
   const std::vector<std::uint32_t> saved = pages_[0].words;
   flushes_.map_fails = true;
   EXPECT_FALSE(savePage());
   EXPECT_EQ(*store_->loadPage({0, 0, 0}), saved);
   flushes_.map_fails = false;
-  ASSERT_TRUE(store_->save({})) << "it is tried again";
+  ASSERT_TRUE(store_->save({})) << "the write is retried";
   EXPECT_EQ(*store_->loadPage({0, 0, 0}), pages_[0].words);
 }
 

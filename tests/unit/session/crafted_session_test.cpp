@@ -1,4 +1,4 @@
-// Sessions of other people: what they name is not believed.
+// Sessions from untrusted sources.
 #include <gmock/gmock.h>
 
 #include <sys/stat.h>
@@ -38,7 +38,7 @@ class CraftedSessionTest : public testing::Test {
   const std::filesystem::path path_ = folder_ / "scan";
 };
 
-TEST_F(CraftedSessionTest, OpeningFails_WhenViewStandsForTable) {
+TEST_F(CraftedSessionTest, OpenFails_WhenAViewReplacesATable) {
   execute("DROP TABLE frames");
   execute(
       "CREATE VIEW frames AS WITH RECURSIVE r(n) AS (SELECT 0 UNION ALL SELECT n + 1 FROM r)"
@@ -52,19 +52,19 @@ TEST_F(CraftedSessionTest, OpeningFails_WhenViewStandsForTable) {
   EXPECT_THAT(listed[0].damage, HasSubstr("frames"));
 }
 
-TEST_F(CraftedSessionTest, OpeningFails_WhenThereIsTrigger) {
+TEST_F(CraftedSessionTest, OpenFails_WhenATriggerExists) {
   execute("CREATE TRIGGER silent AFTER INSERT ON operations BEGIN DELETE FROM operations; END");
   const auto store = SessionStore::open(path_);
   ASSERT_FALSE(store);
   EXPECT_THAT(store.error().message(), HasSubstr("silent"));
 }
 
-TEST_F(CraftedSessionTest, OpeningSucceeds_WhenViewIsNotRead) {
+TEST_F(CraftedSessionTest, OpenSucceeds_WhenAnUnusedViewExists) {
   execute("CREATE VIEW my_frames AS SELECT number FROM frames");
   EXPECT_TRUE(SessionStore::open(path_));
 }
 
-TEST_F(CraftedSessionTest, KeyFrameIsLeftOut_WhenItsImageLiesOutside) {
+TEST_F(CraftedSessionTest, LoadSkipsAKeyFrame_WhenItsImageLiesOutside) {
   folder_.write("outside.png", "secret");
   std::filesystem::create_symlink(folder_ / "outside.png", path_ / "keyframes" / "link.png");
   int number = 0;
@@ -86,7 +86,7 @@ TEST_F(CraftedSessionTest, KeyFrameIsLeftOut_WhenItsImageLiesOutside) {
   EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr("4 key frames")));
 }
 
-TEST_F(CraftedSessionTest, ListShowsNoPicture_WhenItLiesOutside) {
+TEST_F(CraftedSessionTest, ListShowsNoImage_WhenItLiesOutside) {
   folder_.write("outside.png", "secret");
   executeFrame(1);
   execute(
@@ -97,13 +97,13 @@ TEST_F(CraftedSessionTest, ListShowsNoPicture_WhenItLiesOutside) {
   EXPECT_TRUE(listed[0].picture.empty()) << listed[0].picture;
 }
 
-TEST_F(CraftedSessionTest, FileIsRefused_WhenItIsPipe) {
+TEST_F(CraftedSessionTest, IsInsideFolderIsFalse_ForAPipe) {
   ASSERT_EQ(::mkfifo((path_ / "keyframes" / "pipe").c_str(), 0600), 0);
   EXPECT_FALSE(isInsideFolder(path_, "keyframes/pipe"));
   EXPECT_TRUE(isInsideFolder(path_, "keyframes/missing.png"));
 }
 
-TEST_F(CraftedSessionTest, SavingGoesOn_WhenPageNamesFarFile) {
+TEST_F(CraftedSessionTest, SaveSucceeds_WhenAPageNamesAMissingFile) {
   execute(
       "INSERT INTO pages (x, y, z, file, offset, bytes, unpacked_bytes, checksum)"
       " VALUES (1, 2, 3, 1099511627776, 0, 8, 8, 0)");
@@ -118,7 +118,7 @@ TEST_F(CraftedSessionTest, SavingGoesOn_WhenPageNamesFarFile) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path_ / "map"), {}), 1);
 }
 
-TEST_F(CraftedSessionTest, LinkIsNotWrittenThrough) {
+TEST_F(CraftedSessionTest, WritesThroughNoLink) {
   namespace fs = std::filesystem;
   folder_.write("diary.txt", "mine");
   for (const char* name :
@@ -133,7 +133,7 @@ TEST_F(CraftedSessionTest, LinkIsNotWrittenThrough) {
     if (store) {
       EXPECT_TRUE((*store)->writePages(std::vector{SavedPage{{2, 2, 3}, {1, 2, 3}}})) << name;
     }
-    // A name in the map that is taken is left alone; without the others there is no session.
+    // A taken map file name is skipped; any other link refuses the session.
     EXPECT_EQ(store.has_value(), name == std::string("map/000001.bricks")) << name;
     if (!store) {
       EXPECT_THAT(store.error().message(), AllOf(HasSubstr(name), HasSubstr("link")));
@@ -145,7 +145,7 @@ TEST_F(CraftedSessionTest, LinkIsNotWrittenThrough) {
   }
 }
 
-TEST_F(CraftedSessionTest, PageIsNotReadThroughLink) {
+TEST_F(CraftedSessionTest, LoadPageFails_WhenTheMapFileIsALink) {
   namespace fs = std::filesystem;
   {
     const auto store = SessionStore::open(path_);
@@ -159,14 +159,14 @@ TEST_F(CraftedSessionTest, PageIsNotReadThroughLink) {
   const auto page = (*store)->loadPage({2, 2, 3});
   ASSERT_FALSE(page);
   EXPECT_THAT(page.error().message(), AllOf(HasSubstr("000001.bricks"), HasSubstr("link")));
-  // It goes on in a file of its own.
+  // New pages go to another file.
   const auto bytes = fs::file_size(folder_ / "elsewhere");
   ASSERT_TRUE((*store)->writePages(std::vector{SavedPage{{3, 2, 3}, {1, 2, 3}}}));
   ASSERT_TRUE((*store)->save({}));
   EXPECT_EQ(fs::file_size(folder_ / "elsewhere"), bytes);
 }
 
-TEST_F(CraftedSessionTest, OnlyFilesOfItsOwnFormAreRemoved_WhenItsRecordNamesOthers) {
+TEST_F(CraftedSessionTest, OpenRemovesNoForeignFile_WhenTheFileTableNamesIt) {
   folder_.write("scan/keyframes/holiday.jpg", "mine");
   folder_.write("scan/000001.bricks", "mine");
   folder_.write("000002.bricks", "mine");

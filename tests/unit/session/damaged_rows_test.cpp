@@ -1,4 +1,4 @@
-// Rows that no scan writes are left out and named; the rest of the session opens.
+// Invalid rows are skipped and named; the rest of the session opens.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-SavedDelta soundDelta() {
+SavedDelta validDelta() {
   SavedDelta delta;
   delta.metadata = {{"last_region", "9"}, {"source", "demo"}};
   SavedFrame frame;
@@ -49,19 +49,19 @@ SavedDelta soundDelta() {
 struct Change {
   const char* name;
   QString sql;
-  const char* left_out;  ///< as the message names it
+  const char* skipped;  ///< rows as the message names them
 };
 
 void PrintTo(const Change& change, std::ostream* stream) { *stream << change.name; }
 
-class SavedSession : public testing::Test {
+class SavedSessionTest : public testing::Test {
  protected:
   void SetUp() override {
     auto store = SessionStore::create(folder_ / "scan");
     ASSERT_TRUE(store) << store.error().message();
     ASSERT_TRUE((*store)->writePages(std::vector{SavedPage{{1, 2, 3}, std::vector<std::uint32_t>(500, 1)},
                                                  SavedPage{{2, 2, 3}, std::vector<std::uint32_t>(500, 2)}}));
-    ASSERT_TRUE((*store)->save(soundDelta()));
+    ASSERT_TRUE((*store)->save(validDelta()));
   }
 
   void change(const QString& sql) {
@@ -75,9 +75,9 @@ class SavedSession : public testing::Test {
   TemporaryFolder folder_;
 };
 
-class DamagedRowTest : public SavedSession, public testing::WithParamInterface<Change> {};
+class DamagedRowTest : public SavedSessionTest, public testing::WithParamInterface<Change> {};
 
-TEST_F(SavedSession, NothingIsNamed_WhenRowsAreSound) {
+TEST_F(SavedSessionTest, ReportsNoDamage_WhenRowsAreValid) {
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();
   const auto scan = (*store)->load();
@@ -88,23 +88,23 @@ TEST_F(SavedSession, NothingIsNamed_WhenRowsAreSound) {
             9U);
 }
 
-TEST_P(DamagedRowTest, RowIsLeftOutAndNamed_WhenNoScanWritesIt) {
+TEST_P(DamagedRowTest, SkipsAndNamesTheRow) {
   change(GetParam().sql);
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();
   const auto scan = (*store)->load();
   ASSERT_TRUE(scan) << scan.error().message();
-  EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(std::string("1 ") + GetParam().left_out)));
+  EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(std::string("1 ") + GetParam().skipped)));
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
                 scan->borders.size() + scan->operations.size() + scan->pages.size() +
                 scan->recordings.size() + scan->metadata.size(),
             10U);
 }
 
-QString operation(const char* regions, const char* moves, const char* said) {
+QString operation(const char* regions, const char* moves, const char* constraints) {
   return QString(R"(UPDATE operations SET operation = '{"kind": "join", "regions": %1}', )"
                  R"(effect = '{"moves": %2, "said": %3, "notes": []}')")
-      .arg(regions, moves, said);
+      .arg(regions, moves, constraints);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -124,9 +124,9 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"operation of 2^32", operation("[4294967299]", "[]", "[]"), "operations"},
         Change{"move of nothing", operation("[3]", "[[0, 3, 5]]", "[]"), "operations"},
         Change{"move beyond 24 bits", operation("[3]", "[[16777216, 3, 5]]", "[]"), "operations"},
-        Change{"said of itself", operation("[3]", "[]", "[[7, 7, 0, 1]]"), "operations"},
-        Change{"said of nothing", operation("[3]", "[]", "[[0, 7, 0, 1]]"), "operations"},
-        Change{"said what is unknown", operation("[3]", "[]", "[[7, 9, 0, 3]]"), "operations"},
+        Change{"constraint with itself", operation("[3]", "[]", "[[7, 7, 0, 1]]"), "operations"},
+        Change{"constraint with nothing", operation("[3]", "[]", "[[0, 7, 0, 1]]"), "operations"},
+        Change{"constraint of unknown kind", operation("[3]", "[]", "[[7, 9, 0, 3]]"), "operations"},
         Change{"operation 0", "UPDATE operations SET number = 0", "operations"},
         Change{"operation of 2^31", "UPDATE operations SET number = 2147483648", "operations"},
         Change{"fragment -1", "UPDATE fragments SET fragment = -1", "fragments"},
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"page unpacked to 2^32", "UPDATE pages SET unpacked_bytes = 4294967296 WHERE x = 1",
                "parts of the map"}));
 
-// Each of these is a row that a scan may have written.
+// A scan could have written each of these rows; only the checksum differs.
 INSTANTIATE_TEST_SUITE_P(
     Plausible, DamagedRowTest,
     testing::Values(Change{"pose moved by 10 cm", "UPDATE frames SET tx = 0.1", "frames"},
@@ -187,14 +187,14 @@ INSTANTIATE_TEST_SUITE_P(
 struct Deletion {
   const char* name;
   QString sql;
-  const char* missing;  ///< as the message names it
+  const char* missing;  ///< rows as the message names them
 };
 
 void PrintTo(const Deletion& deletion, std::ostream* stream) { *stream << deletion.name; }
 
-class DeletedRowTest : public SavedSession, public testing::WithParamInterface<Deletion> {};
+class DeletedRowTest : public SavedSessionTest, public testing::WithParamInterface<Deletion> {};
 
-TEST_P(DeletedRowTest, Said) {
+TEST_P(DeletedRowTest, ReportsTheMissingRow) {
   change(GetParam().sql);
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();
@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
             "INSERT INTO borders SELECT a, b + 1, evidence, said, by_person, said_order, NULL FROM borders",
             "borders of the session"}));
 
-TEST_F(SavedSession, FactComesFromItsCopy_WhenItIsDamagedOrGone) {
+TEST_F(SavedSessionTest, RestoresMetadataFromItsCopy_WhenDamagedOrDeleted) {
   for (const char* sql : {"UPDATE facts SET value = 'attic' WHERE name = 'source'",
                           "UPDATE facts SET value = '4294967295' WHERE name = 'last_region'",
                           "DELETE FROM facts WHERE name = 'source'"}) {
@@ -230,13 +230,13 @@ TEST_F(SavedSession, FactComesFromItsCopy_WhenItIsDamagedOrGone) {
     ASSERT_TRUE(store) << store.error().message();
     const auto scan = (*store)->load();
     ASSERT_TRUE(scan) << scan.error().message();
-    EXPECT_EQ(scan->metadata, soundDelta().metadata) << sql;
+    EXPECT_EQ(scan->metadata, validDelta().metadata) << sql;
     EXPECT_THAT((*store)->damages(), ElementsAre(AllOf(HasSubstr("facts"), HasSubstr("copies")))) << sql;
-    ASSERT_TRUE((*store)->save(soundDelta()));
+    ASSERT_TRUE((*store)->save(validDelta()));
   }
 }
 
-TEST_F(SavedSession, NothingIsSaid_WhenTheSessionIsOfAnEarlierVersion) {
+TEST_F(SavedSessionTest, ReportsNoDamage_WhenAnOlderSessionHasNoChecksums) {
   for (const char* table : {"facts", "fact_copies", "frames", "key_frames", "fragments", "regions", "borders",
                             "operations", "pages"})
     change(QString("UPDATE %1 SET row_check = NULL").arg(table));
@@ -246,7 +246,7 @@ TEST_F(SavedSession, NothingIsSaid_WhenTheSessionIsOfAnEarlierVersion) {
   EXPECT_THAT((*store)->damages(), IsEmpty());
 }
 
-TEST_F(SavedSession, PageFails_WhenItLiesBehindItsFile) {
+TEST_F(SavedSessionTest, LoadPageFails_WhenItsOffsetExceedsTheFile) {
   change("UPDATE pages SET offset = 4294967290, row_check = NULL WHERE x = 1");
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();
@@ -256,7 +256,7 @@ TEST_F(SavedSession, PageFails_WhenItLiesBehindItsFile) {
   EXPECT_TRUE((*store)->loadPage({2, 2, 3}));
 }
 
-TEST(RecordFileTest, ReadFails_WhenOffsetAndSizeWrap) {
+TEST(RecordFile, ReadFails_WhenOffsetAndSizeOverflow) {
   const TemporaryFolder folder;
   auto file = RecordFile::create(folder / "records");
   ASSERT_TRUE(file);
@@ -266,21 +266,21 @@ TEST(RecordFileTest, ReadFails_WhenOffsetAndSizeWrap) {
   EXPECT_THAT(read.error().message(), HasSubstr("shorter"));
 }
 
-TEST_F(SavedSession, NewOperationReplacesDamagedOne_WhenItTakesItsNumber) {
+TEST_F(SavedSessionTest, ReplacesADamagedOperation_WhenItsNumberIsSavedAgain) {
   change("UPDATE operations SET operation = '{'");
   {
     const auto store = SessionStore::open(folder_ / "scan");
     ASSERT_TRUE(store);
-    ASSERT_TRUE((*store)->save(soundDelta()));
+    ASSERT_TRUE((*store)->save(validDelta()));
   }
   const auto store = SessionStore::open(folder_ / "scan");
   const auto scan = (*store)->load();
   ASSERT_TRUE(scan);
   ASSERT_EQ(scan->operations.size(), 1U);
-  EXPECT_EQ(scan->operations[0].operation, soundDelta().operations[0].operation);
+  EXPECT_EQ(scan->operations[0].operation, validDelta().operations[0].operation);
 }
 
-TEST(StoredPageTest, PageIsRefused_WhenEmptyCellNamesSlot) {
+TEST(StoredPage, IsRefused_WhenAnEmptyCellNamesASlot) {
   StoredPage page;
   page.cells.fill(PAGE_EMPTY_CUBE(0));
   std::vector<std::uint32_t> words = page.toWords();

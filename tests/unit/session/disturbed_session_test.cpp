@@ -1,4 +1,4 @@
-// Other programs remove, move or replace files of a session while it is written.
+// Other programs remove, move or replace files of an open session.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -38,7 +38,7 @@ class DisturbedSessionTest : public testing::Test {
   }
 
   /// The session in `folder` has both frames and their pages.
-  static void expectBoth(const fs::path& folder) {
+  static void expectBothFrames(const fs::path& folder) {
     const auto store = SessionStore::open(folder);
     ASSERT_TRUE(store) << store.error().message();
     const auto scan = (*store)->load();
@@ -52,14 +52,14 @@ class DisturbedSessionTest : public testing::Test {
     }
   }
 
-  /// It is said once, and remembered.
-  void expectSaid(const std::vector<std::string>& words) {
-    const auto said = writer_->takeFailure();
-    ASSERT_TRUE(said);
-    for (const std::string& word : words) EXPECT_THAT(said->message(), HasSubstr(word));
+  /// The writer reports a failure with these words once, and stores it.
+  void expectFailure(const std::vector<std::string>& words) {
+    const auto failure = writer_->takeFailure();
+    ASSERT_TRUE(failure);
+    for (const std::string& word : words) EXPECT_THAT(failure->message(), HasSubstr(word));
     EXPECT_FALSE(writer_->takeFailure());
     ASSERT_TRUE(writer_->disturbance());
-    EXPECT_EQ(writer_->disturbance()->message(), said->message());
+    EXPECT_EQ(writer_->disturbance()->message(), failure->message());
   }
 
   TemporaryFolder folder_;
@@ -67,15 +67,15 @@ class DisturbedSessionTest : public testing::Test {
   std::unique_ptr<SessionWriter> writer_;
 };
 
-TEST_F(DisturbedSessionTest, NothingIsSaid_WhenAllIsInPlace) {
+TEST_F(DisturbedSessionTest, ReportsNoFailure_WhenUndisturbed) {
   ASSERT_TRUE(save(2));
   EXPECT_FALSE(writer_->takeFailure());
   EXPECT_FALSE(writer_->disturbance());
   writer_.reset();
-  expectBoth(path_);
+  expectBothFrames(path_);
 }
 
-TEST_F(DisturbedSessionTest, SessionIsWrittenAnew_WhenFilesAreRemoved) {
+TEST_F(DisturbedSessionTest, WritesTheSessionAgain_WhenFilesAreRemoved) {
   const std::vector<std::vector<std::string>> cases{
       {"session.sqlite"},
       {"session.sqlite-wal"},
@@ -93,47 +93,47 @@ TEST_F(DisturbedSessionTest, SessionIsWrittenAnew_WhenFilesAreRemoved) {
     for (const std::string& name : names) ASSERT_GT(fs::remove_all(name.empty() ? path_ : path_ / name), 0U);
     const Result<void> saved = save(2);
     EXPECT_TRUE(saved) << saved.error().message();
-    expectSaid({path_.string(), "removed", "written anew"});
-    EXPECT_FALSE(SessionStore::open(path_)) << "it is locked, as before";
+    expectFailure({path_.string(), "removed", "written anew"});
+    EXPECT_FALSE(SessionStore::open(path_)) << "it is still locked";
     writer_.reset();
-    expectBoth(path_);
+    expectBothFrames(path_);
   }
 }
 
-TEST_F(DisturbedSessionTest, SomebodysFileStays_WhenItReplacedTheDatabase) {
+TEST_F(DisturbedSessionTest, KeepsAForeignFile_WhenItReplacedTheDatabase) {
   fs::remove(path_ / "session.sqlite");
   folder_.write("scan/session.sqlite", "mine");
   const Result<void> saved = save(2);
   ASSERT_TRUE(saved) << saved.error().message();
   const fs::path rescued = path_ / "session.rescued.sqlite";
-  expectSaid({"replaced", rescued.string()});
+  expectFailure({"replaced", rescued.string()});
   writer_.reset();
   EXPECT_EQ(readText(path_ / "session.sqlite"), "mine");
   fs::rename(rescued, path_ / "session.sqlite");
-  expectBoth(path_);
+  expectBothFrames(path_);
 }
 
-TEST_F(DisturbedSessionTest, SomebodysFileStays_WhenItReplacedTheMap) {
+TEST_F(DisturbedSessionTest, KeepsAForeignFile_WhenItReplacedTheMap) {
   fs::remove(path_ / "map" / "000001.bricks");
   folder_.write("scan/map/000001.bricks", "mine");
   ASSERT_TRUE(save(2));
-  expectSaid({"replaced", "written anew"});
+  expectFailure({"replaced", "written anew"});
   writer_.reset();
-  expectBoth(path_);
+  expectBothFrames(path_);
   EXPECT_EQ(readText(path_ / "map" / "000001.bricks"), "mine");
 }
 
-TEST_F(DisturbedSessionTest, SessionGoesOn_WhereItsFolderWasMoved) {
+TEST_F(DisturbedSessionTest, FollowsItsFolder_WhenMoved) {
   fs::rename(path_, folder_ / "elsewhere");
   ASSERT_TRUE(save(2));
-  expectSaid({path_.string(), (folder_ / "elsewhere").string(), "moved"});
+  expectFailure({path_.string(), (folder_ / "elsewhere").string(), "moved"});
   EXPECT_EQ(writer_->folder(), folder_ / "elsewhere");
   writer_.reset();
   EXPECT_FALSE(fs::exists(path_));
-  expectBoth(folder_ / "elsewhere");
+  expectBothFrames(folder_ / "elsewhere");
 }
 
-TEST_F(DisturbedSessionTest, LostImagesAreCounted) {
+TEST_F(DisturbedSessionTest, CountsLostImages) {
   writer_->post([this](SessionStore& store) -> Result<void> {
     SavedKeyFrame key;
     key.frame = 1;
@@ -145,19 +145,19 @@ TEST_F(DisturbedSessionTest, LostImagesAreCounted) {
     return store.saveKeyFrame(frame, key);
   });
   std::optional<Error> lost;
-  const auto look = [&] {
+  const auto findLost = [&] {
     writer_->post([&](SessionStore& store) { return moveInto(lost, store.findLostImages()); });
     return writer_->flush();
   };
-  ASSERT_TRUE(look());
+  ASSERT_TRUE(findLost());
   EXPECT_FALSE(lost);
   fs::remove_all(path_ / "keyframes");
-  ASSERT_TRUE(look());
+  ASSERT_TRUE(findLost());
   ASSERT_TRUE(lost);
   EXPECT_THAT(lost->message(), AllOf(HasSubstr("1 images"), HasSubstr("removed")));
 }
 
-TEST_F(DisturbedSessionTest, ItIsTriedAgain_WhenNothingCanBeWritten) {
+TEST_F(DisturbedSessionTest, RetriesLater_WhenNothingCanBeWritten) {
   fs::remove(path_ / "session.sqlite");
   fs::remove_all(path_ / "map");
   folder_.write("scan/map", "a file where the folder was");
@@ -167,7 +167,7 @@ TEST_F(DisturbedSessionTest, ItIsTriedAgain_WhenNothingCanBeWritten) {
   fs::remove(path_ / "map");
   ASSERT_TRUE(writer_->flush());
   writer_.reset();
-  expectBoth(path_);
+  expectBothFrames(path_);
 }
 
 }  // namespace

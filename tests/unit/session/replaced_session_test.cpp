@@ -1,4 +1,4 @@
-// A new scan takes the place of an earlier one with its first frame that has a pose, in one transaction.
+// A new scan replaces an earlier one in one transaction, with its first frame that has a pose.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -25,7 +25,7 @@ class ReplacedSessionTest : public testing::Test {
     return store ? std::move(*store) : nullptr;
   }
 
-  /// One frame with its images, a page of the map, a region.
+  /// Saves one frame with its images, one map page and one region.
   Result<void> scan(SessionStore& store, int seed, TrackingState state = TrackingState::tracking) const {
     SavedFrame frame;
     frame.source_index = seed;
@@ -45,7 +45,7 @@ class ReplacedSessionTest : public testing::Test {
     return store.save(delta);
   }
 
-  /// The session is that of one scan, with its images, and nothing else lies in its folders.
+  /// The session contains exactly one scan, and its folders only the files of that scan.
   void expectScan(int seed) const {
     const auto store = SessionStore::open(path_);
     ASSERT_TRUE(store) << store.error().message();
@@ -75,7 +75,7 @@ class ReplacedSessionTest : public testing::Test {
   const fs::path path_ = folder_ / "scan";
 };
 
-TEST_F(ReplacedSessionTest, EarlierOneStays_UntilThereIsAFrameWithAPose) {
+TEST_F(ReplacedSessionTest, KeepsTheEarlierScan_UntilAFrameHasAPose) {
   expectScan(1);
   {
     const auto store = created();
@@ -85,7 +85,7 @@ TEST_F(ReplacedSessionTest, EarlierOneStays_UntilThereIsAFrameWithAPose) {
   expectScan(1);
 }
 
-TEST_F(ReplacedSessionTest, NewOneHasAllItsFrames_WhenOneHasAPose) {
+TEST_F(ReplacedSessionTest, HasAllNewFrames_WhenOneHasAPose) {
   {
     const auto store = created();
     SavedDelta metadata;
@@ -102,8 +102,8 @@ TEST_F(ReplacedSessionTest, NewOneHasAllItsFrames_WhenOneHasAPose) {
   expectScan(3);
 }
 
-TEST_F(ReplacedSessionTest, EarlierOneStays_WhenTheProgramIsKilledWhileReplacing) {
-  // What a killed program leaves: a copy of the folder at that moment, without its lock.
+TEST_F(ReplacedSessionTest, KeepsTheEarlierScan_WhenKilledBeforeReplacing) {
+  // A copy of the folder at this moment equals the files of a killed program.
   const auto store = created();
   ASSERT_TRUE(scan(*store, 2, TrackingState::lost));
   fs::copy(path_, folder_ / "killed", fs::copy_options::recursive);
@@ -113,9 +113,8 @@ TEST_F(ReplacedSessionTest, EarlierOneStays_WhenTheProgramIsKilledWhileReplacing
   expectScan(1);
 }
 
-TEST_F(ReplacedSessionTest, NewOneIsThere_WhenTheProgramIsKilledAfterReplacing) {
+TEST_F(ReplacedSessionTest, HasTheNewScan_WhenClosedAfterReplacing) {
   {
-    // Files of the earlier scan that cannot be removed yet.
     const auto store = created();
     ASSERT_EQ(fs::is_regular_file(path_ / "map" / "000001.bricks"), true);
     ASSERT_TRUE(scan(*store, 2));
@@ -123,14 +122,14 @@ TEST_F(ReplacedSessionTest, NewOneIsThere_WhenTheProgramIsKilledAfterReplacing) 
   expectScan(2);
 }
 
-TEST_F(ReplacedSessionTest, OthersAreRefused_FromTheBeginning) {
+TEST_F(ReplacedSessionTest, RefusesASecondWriter_FromTheBeginning) {
   const auto store = created();
   const auto second = SessionStore::create(path_);
   ASSERT_FALSE(second);
   EXPECT_THAT(second.error().message(), HasSubstr("in use"));
 }
 
-TEST_F(ReplacedSessionTest, FilesOfOthersStay_WhateverTheirNames) {
+TEST_F(ReplacedSessionTest, KeepsForeignFiles_WhateverTheirNames) {
   const std::set<std::string> mine{"keyframes/holiday.jpg",
                                    "keyframes/000000.color.jpg.bak",
                                    "keyframes/000123.color.png",
@@ -148,7 +147,7 @@ TEST_F(ReplacedSessionTest, FilesOfOthersStay_WhateverTheirNames) {
   EXPECT_EQ((*SessionStore::open(path_))->load()->frames.at(0).source_index, 3);
 }
 
-TEST_F(ReplacedSessionTest, LabeledOneIsRefused) {
+TEST_F(ReplacedSessionTest, RefusesToReplaceALabeledSession) {
   {
     SavedDelta delta;
     delta.operations = {
@@ -161,7 +160,7 @@ TEST_F(ReplacedSessionTest, LabeledOneIsRefused) {
   expectScan(1);
 }
 
-TEST_F(ReplacedSessionTest, KeepsATableOfSomebodyElse) {
+TEST_F(ReplacedSessionTest, KeepsAForeignTable) {
   const std::string file = (path_ / "session.sqlite").string();
   {
     const auto other = DatabaseConnection::open(file);

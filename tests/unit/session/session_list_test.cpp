@@ -20,7 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// What a short scan keeps: two key frames of three frames, a large and a tiny region.
+/// A short scan: three frames, two key frames, a large and a tiny region.
 SavedDelta shortScan() {
   SavedDelta delta;
   delta.metadata["source"] = "demo";
@@ -51,7 +51,7 @@ std::unique_ptr<SessionStore> storeIn(const fs::path& folder, const SavedDelta& 
   return std::move(*store);
 }
 
-TEST(SessionList, CallsObjectsAsTheirCatalogueDidLast) {
+TEST(SessionList, UsesTheLatestCatalogueNames) {
   const TemporaryFolder folder;
   SavedDelta delta = shortScan();
   delta.regions.push_back({RegionId{4}, ObjectId{3}, {"old cup", "cup", false, false, false}});
@@ -68,7 +68,7 @@ TEST(SessionList, CallsObjectsAsTheirCatalogueDidLast) {
               ElementsAre("old cup", "red cup"));
 }
 
-TEST(SessionList, SaysWhatThereIs) {
+TEST(SessionList, DescribesASession) {
   const TemporaryFolder folder;
   SavedDelta delta = shortScan();
   delta.metadata["ended"] = "yes";
@@ -86,22 +86,22 @@ TEST(SessionList, SaysWhatThereIs) {
   EXPECT_EQ(one.tracked, 2);
   EXPECT_EQ(one.key_frames, 2);
   EXPECT_EQ(one.picture, folder / "one" / "keyframes" / "000002.color.png");
-  EXPECT_EQ(one.regions, 1) << "without slivers";
-  EXPECT_EQ(one.objects, 1) << "of regions that there are";
+  EXPECT_EQ(one.regions, 1) << "without the tiny one";
+  EXPECT_EQ(one.objects, 1) << "only of existing regions";
   EXPECT_THAT(one.names, ElementsAre("red cup"));
   EXPECT_TRUE(one.ended);
   EXPECT_FALSE(one.isRecovered());
   EXPECT_GT(one.megabytes, 0.002);
-  EXPECT_EQ(listSessions(folder / "one").size(), 1U) << "a session alone is listed, too";
+  EXPECT_EQ(listSessions(folder / "one").size(), 1U) << "the folder of one session";
 }
 
-TEST(SessionList, OneThatIsWrittenIsListedAndNotKeptFromBeingWritten) {
+TEST(SessionList, ListsASession_WhileItIsWritten) {
   const TemporaryFolder folder;
   const auto store = storeIn(folder / "one", shortScan());
   std::vector<SessionSummary> sessions = listSessions(folder.path());
   ASSERT_EQ(sessions.size(), 1U);
   EXPECT_EQ(sessions[0].damage, "");
-  EXPECT_EQ(sessions[0].frames, 3) << "what is in the log alone";
+  EXPECT_EQ(sessions[0].frames, 3) << "frames in the write-ahead log";
   SavedDelta more;
   more.frames.emplace_back().number = 3;
   EXPECT_TRUE(store->save(more));
@@ -115,7 +115,7 @@ TEST(SessionList, OneThatIsWrittenIsListedAndNotKeptFromBeingWritten) {
   EXPECT_FALSE(sessions[0].isRecovered());
 }
 
-TEST(SessionList, OneThatBrokeOffIsRecovered) {
+TEST(SessionList, MarksASessionRecovered_WhenInterrupted) {
   const TemporaryFolder folder;
   { static_cast<void>(storeIn(folder / "one", shortScan())); }
   const std::vector<SessionSummary> sessions = listSessions(folder.path());
@@ -125,7 +125,7 @@ TEST(SessionList, OneThatBrokeOffIsRecovered) {
   EXPECT_TRUE(sessions[0].isRecovered());
 }
 
-TEST(SessionList, ADamagedOneIsNamedAndTheOthersAreThere) {
+TEST(SessionList, NamesADamagedSessionAndListsTheOthers) {
   const TemporaryFolder folder;
   { static_cast<void>(storeIn(folder / "good", shortScan())); }
   folder.write("letter/session.sqlite",
@@ -145,23 +145,23 @@ TEST(SessionList, ADamagedOneIsNamedAndTheOthersAreThere) {
                                             testing::AllOf(HasSubstr("empty: "), HasSubstr("is empty"))));
 }
 
-TEST(SessionList, ChangesNothing) {
+TEST(SessionList, ChangesNoFiles) {
   const TemporaryFolder folder;
   { static_cast<void>(storeIn(folder / "one", shortScan())); }
   const auto before = fs::last_write_time(folder / "one");
   ASSERT_EQ(listSessions(folder.path()).size(), 1U);
-  EXPECT_EQ(fs::last_write_time(folder / "one"), before) << "no file came or went";
+  EXPECT_EQ(fs::last_write_time(folder / "one"), before) << "no file was added or removed";
 }
 
-TEST(SessionList, WhereNothingIsThereIsNone) {
+TEST(SessionList, IsEmpty_WithoutSessions) {
   const TemporaryFolder folder;
   EXPECT_THAT(listSessions(folder.path()), IsEmpty());
   EXPECT_THAT(listSessions(folder / "nowhere"), IsEmpty());
 }
 
-TEST(SessionList, ScansAreKeptWhereDataAre) {
+TEST(DefaultScansFolder, FollowsXdgDataHome) {
   const char* before = std::getenv("XDG_DATA_HOME");
-  const std::string kept = before == nullptr ? "" : before;
+  const std::string original = before == nullptr ? "" : before;
   ::setenv("XDG_DATA_HOME", "/data", 1);
   EXPECT_EQ(defaultScansFolder(), "/data/scantrove/scans");
   ::setenv("XDG_DATA_HOME", "not/absolute", 1);
@@ -169,11 +169,11 @@ TEST(SessionList, ScansAreKeptWhereDataAre) {
   if (before == nullptr) {
     ::unsetenv("XDG_DATA_HOME");
   } else {
-    ::setenv("XDG_DATA_HOME", kept.c_str(), 1);
+    ::setenv("XDG_DATA_HOME", original.c_str(), 1);
   }
 }
 
-/// The rights of somebody who may not write everywhere, which the superuser has to put on.
+/// Drops the rights of the superuser, who may write everywhere, for the lifetime of this object.
 class PlainRights {
  public:
   PlainRights() { is_on_ = ::geteuid() != 0 || ::seteuid(kNobody) == 0; }
@@ -189,7 +189,7 @@ class PlainRights {
   bool is_on_ = false, is_off_ = false;
 };
 
-TEST(ReadOnlySession, IsOneClearSentence) {
+TEST(SessionStore, ReportsOneError_WhenTheFolderIsReadOnly) {
   const TemporaryFolder folder;
   { static_cast<void>(storeIn(folder / "scan", shortScan())); }
   fs::remove(folder / "scan" / "session.lock");  // as in a copy on a disc

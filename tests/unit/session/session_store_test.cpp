@@ -68,7 +68,7 @@ std::unique_ptr<SessionStore> created(const std::filesystem::path& folder) {
   return std::move(*store);
 }
 
-TEST(SessionStore, GivesBackWhatWasSaved) {
+TEST(SessionStore, LoadsWhatWasSaved) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "scan";
   {
@@ -121,7 +121,7 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   EXPECT_TRUE((*store)->damages().empty());
 }
 
-TEST(SessionStore, ACopyElsewhereOpens) {
+TEST(SessionStore, OpensACopyOfTheFolder) {
   const TemporaryFolder folder;
   { ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1)); }
   std::filesystem::copy(folder.path() / "scan", folder.path() / "copy",
@@ -132,7 +132,7 @@ TEST(SessionStore, ACopyElsewhereOpens) {
   EXPECT_TRUE((*store)->loadPage({1, -2, 5}));
 }
 
-TEST(SessionStore, OneProgramAtATime) {
+TEST(SessionStore, RefusesASecondProgram) {
   const TemporaryFolder folder;
   const auto store = created(folder.path() / "scan");
   const auto second = SessionStore::open(folder.path() / "scan");
@@ -140,7 +140,7 @@ TEST(SessionStore, OneProgramAtATime) {
   EXPECT_THAT(second.error().message(), HasSubstr("in use"));
 }
 
-TEST(SessionStore, ADamagedPageCostsOnlyItself) {
+TEST(SessionStore, LoadsOtherPages_WhenOneIsDamaged) {
   const TemporaryFolder folder;
   {
     const auto store = created(folder.path() / "scan");
@@ -161,7 +161,7 @@ TEST(SessionStore, ADamagedPageCostsOnlyItself) {
   EXPECT_TRUE((*store)->loadPage({2, -2, 5}));
 }
 
-TEST(SessionStore, ATruncatedMapCostsOnlyWhatWasCutOff) {
+TEST(SessionStore, LoadsRemainingPages_WhenTheMapIsTruncated) {
   const TemporaryFolder folder;
   {
     const auto store = created(folder.path() / "scan");
@@ -176,7 +176,7 @@ TEST(SessionStore, ATruncatedMapCostsOnlyWhatWasCutOff) {
   EXPECT_FALSE((*store)->loadPage({2, -2, 5}));
 }
 
-TEST(SessionStore, ARowThatIsNotOneIsLeftOutAndNamed) {
+TEST(SessionStore, SkipsAndNamesRows_WhenTheyAreInvalid) {
   const TemporaryFolder folder;
   { ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1)); }
   {
@@ -193,7 +193,7 @@ TEST(SessionStore, ARowThatIsNotOneIsLeftOutAndNamed) {
   EXPECT_EQ((*store)->damages().size(), 2U);
 }
 
-TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
+TEST(SessionStore, OpenFails_WhenNewerOrNoSession) {
   const TemporaryFolder folder;
   { created(folder.path() / "scan"); }
   {
@@ -208,7 +208,8 @@ TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
   EXPECT_THAT(none.error().message(), HasSubstr(folder.path().string()));
 }
 
-/// The border of saveSome(), of which an earlier version kept so many numbers.
+/// The border of saveSome() as an earlier version stored it: only the first `numbers` numbers of its
+/// evidence.
 BorderEvidence evidenceOfNumbers(int numbers) {
   const TemporaryFolder folder;
   EXPECT_TRUE(saveSome(*created(folder.path() / "scan"), 1));
@@ -226,7 +227,7 @@ BorderEvidence evidenceOfNumbers(int numbers) {
   return *scan->borders[0].evidence;
 }
 
-TEST(SessionStore, EvidenceOfAnEarlierVersionLacksWhatWasNotLookedAt) {
+TEST(SessionStore, EvidenceHasNoColors_WhenAnEarlierVersionStoredIt) {
   const BorderEvidence evidence = evidenceOfNumbers(14);
   EXPECT_EQ(evidence.observations, 3.25F);
   EXPECT_EQ(evidence.unattached, 1.5F);
@@ -234,7 +235,7 @@ TEST(SessionStore, EvidenceOfAnEarlierVersionLacksWhatWasNotLookedAt) {
   EXPECT_FALSE(evidence.colors);
 }
 
-TEST(SessionStore, ColorsOfAnEarlierVersionShareWhatIsUsual) {
+TEST(SessionStore, ColorsHaveDefaults_WhenAnEarlierVersionStoredThem) {
   const BorderEvidence evidence = evidenceOfNumbers(17);
   ASSERT_TRUE(evidence.colors);
   EXPECT_EQ(evidence.colors->difference, 8);
@@ -245,7 +246,7 @@ TEST(SessionStore, ColorsOfAnEarlierVersionShareWhatIsUsual) {
   EXPECT_EQ(evidence.colors->variety, ColorComparison{}.variety);
 }
 
-TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhere) {
+TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {
   const TemporaryFolder folder;
   ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1));
   {
@@ -270,12 +271,12 @@ TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhe
   EXPECT_EQ(scan->fragments[0].voxels, 101);
   EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
   EXPECT_FALSE((*store)->loadCamera()->has_value());
-  EXPECT_TRUE(scan->metadata.contains("begun")) << "by that its catalogue is told";
+  EXPECT_TRUE(scan->metadata.contains("begun")) << "identifies its catalogue";
   EXPECT_FALSE(scan->metadata.contains("catalogue"));
   ASSERT_TRUE(saveSome(**store, 2));
 }
 
-TEST(SessionStore, KeepsTheNewestCamera) {
+TEST(SessionStore, LoadsTheLatestCamera) {
   const TemporaryFolder folder;
   std::vector<std::uint32_t> words(5000);
   for (std::uint32_t i = 0; i < words.size(); ++i) words[i] = i * i;
@@ -287,7 +288,7 @@ TEST(SessionStore, KeepsTheNewestCamera) {
     ASSERT_TRUE(store->save(delta));
     delta.camera = {8, words};
     ASSERT_TRUE(store->save(delta));
-    ASSERT_TRUE(saveSome(*store, 2)) << "one that says nothing of it";
+    ASSERT_TRUE(saveSome(*store, 2)) << "a save without camera";
   }
   const auto store = SessionStore::open(folder.path() / "scan");
   ASSERT_TRUE(store) << store.error().message();
@@ -297,7 +298,7 @@ TEST(SessionStore, KeepsTheNewestCamera) {
   EXPECT_EQ((*camera)->words, words);
 }
 
-TEST(SessionStore, OutdatedPagesGoWhenTheyAreMany) {
+TEST(SessionStore, RemovesOutdatedPages_WhenTheyAreMany) {
   const TemporaryFolder folder;
   const auto store = created(folder.path() / "scan");
   // Words that do not compress: 4 MB a page.
@@ -311,11 +312,11 @@ TEST(SessionStore, OutdatedPagesGoWhenTheyAreMany) {
   std::uintmax_t bytes = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder.path() / "scan" / "map"))
     bytes += file.file_size();
-  EXPECT_LT(bytes, 44U << 20U) << "of 56 MB that were written";
+  EXPECT_LT(bytes, 44U << 20U) << "of 56 MB written";
   EXPECT_EQ(*store->loadPage({0, 0, 0}), pages[0].words);
 }
 
-TEST(SessionStore, PagesAreThereWithTheSaveThatTheyWereWrittenFor) {
+TEST(SessionStore, PagesAppear_WithTheirSave) {
   const TemporaryFolder folder;
   {
     const auto store = created(folder.path() / "scan");
@@ -328,7 +329,7 @@ TEST(SessionStore, PagesAreThereWithTheSaveThatTheyWereWrittenFor) {
     images.color_file = "c.jpg";
     images.depth_file = "d.png";
     ASSERT_TRUE(store->saveKeyFrame({.number = 7}, images));
-    EXPECT_EQ(store->load()->pages.size(), 1U) << "a frame's images are no moment of the scan";
+    EXPECT_EQ(store->load()->pages.size(), 1U) << "images alone do not save the scan";
     EXPECT_EQ(*store->loadPage({1, -2, 5}), somePage(1).words);
   }  // the program ends before the save
   auto store = SessionStore::open(folder.path() / "scan");
@@ -341,7 +342,7 @@ TEST(SessionStore, PagesAreThereWithTheSaveThatTheyWereWrittenFor) {
   EXPECT_EQ(*(*store)->loadPage({2, -2, 5}), somePage(2).words);
 }
 
-TEST(OperationJson, WhatIsNoneIsNothing) {
+TEST(OperationJson, IsRefused_WhenInvalid) {
   EXPECT_FALSE(operationFromJson("{"));
   EXPECT_FALSE(operationFromJson("[]"));
   EXPECT_FALSE(operationFromJson(R"({"kind": "explode", "regions": []})"));

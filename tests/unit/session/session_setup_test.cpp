@@ -9,13 +9,13 @@ namespace {
 
 Result<SessionSetup> setupOf(const std::string& camera) { return setupFrom({{"camera", camera}}); }
 
-TEST(SessionSetupTest, SetupComesBack_WhenCameraIsPlausible) {
+TEST(SessionSetup, IsRead_WhenTheCameraIsPlausible) {
   const auto setup = setupOf(R"({"K": [525, 525, 319.5, 239.5], "size": [640, 480]})");
   ASSERT_TRUE(setup) << setup.error().message();
   EXPECT_EQ(setup->K.width, 640);
 }
 
-TEST(SessionSetupTest, SetupFails_WhenNoCameraCanBeSo) {
+TEST(SessionSetup, Fails_WhenTheCameraIsImplausible) {
   for (const char* camera : {R"({"K": [1e-30, 1e-30, 319.5, 239.5], "size": [640, 480]})",
                              R"({"K": [525, 1e30, 319.5, 239.5], "size": [640, 480]})",
                              R"({"K": [525, 525, 1e9, 239.5], "size": [640, 480]})",

@@ -12,7 +12,7 @@ Eigen::Isometry3d at(double x_m, double turned_deg = 0) {
   return pose;
 }
 
-TEST(KeyFrameChoice, TakesWhatIsFarFromAllThatWereTaken) {
+TEST(KeyFrameChoice, TakesAPose_WhenFarFromAllTakenPoses) {
   KeyFrameChoice choice;
   EXPECT_TRUE(choice.takes(at(0)));
   EXPECT_FALSE(choice.takes(at(0.07, 4.5)));
@@ -21,7 +21,7 @@ TEST(KeyFrameChoice, TakesWhatIsFarFromAllThatWereTaken) {
   EXPECT_FALSE(choice.takes(at(0.01))) << "back where it was";
 }
 
-TEST(KeyFrameChoice, GoesOnFromThoseThatASessionHas) {
+TEST(KeyFrameChoice, ContinuesFromTheKeyFramesOfASession) {
   KeyFrameChoice choice({at(1)});
   EXPECT_FALSE(choice.takes(at(1.02)));
   EXPECT_TRUE(choice.takes(at(0)));

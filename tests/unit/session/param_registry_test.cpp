@@ -44,7 +44,7 @@ TEST(ParamRegistry, ReadsBackWhatWasSet) {
   }
 }
 
-TEST(ParamRegistry, TextKeepsNumbersToTheLastBit) {
+TEST(ParamRegistry, TextKeepsEveryBit) {
   ScanParams params;
   for (const float voxel_size_m : {3.0F / 512.0F, 0.01F, 0.1F / 3.0F, 0.0078125F}) {
     params.fusion.voxel_size_m = voxel_size_m;
@@ -118,7 +118,7 @@ TEST(ParamRegistry, RefusesConfiguration_WhenKeyOrFileIsTooLong) {
   }
 }
 
-TEST(ParamRegistry, AppliesAConfigurationCompletelyOrNotAtAll) {
+TEST(ParamRegistry, AppliesNothing_WhenAConfigurationIsInvalid) {
   const test::TemporaryFolder folder;
   ScanParams params;
   ASSERT_TRUE(loadConfig(params, folder.write("good.toml",

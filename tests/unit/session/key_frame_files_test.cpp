@@ -31,7 +31,7 @@ std::string storedImage(const TemporaryFolder& folder, const std::string& name, 
   return key ? readText(folder / "scan" / key->color_file) : "";
 }
 
-TEST(KeyFrameFiles, StoreAJpegWithoutItsOrientation) {
+TEST(WriteKeyFrame, ClearsTheOrientationOfAJpeg) {
   const TemporaryFolder folder;
   const std::string jpeg = encoded(".jpg", frameOf({}).color);
   const std::string turned = test::withExif(jpeg, true, 8);
@@ -41,13 +41,13 @@ TEST(KeyFrameFiles, StoreAJpegWithoutItsOrientation) {
   EXPECT_TRUE(stored.ends_with(jpeg.substr(jpeg.find("\xFF\xDA"))));
 }
 
-TEST(KeyFrameFiles, StoreAnUprightJpegAsItCame) {
+TEST(WriteKeyFrame, StoresAnUprightJpegUnchanged) {
   const TemporaryFolder folder;
   const std::string jpeg = test::withExif(encoded(".jpg", frameOf({}).color), false, 1);
   EXPECT_TRUE(storedImage(folder, "frame.jpg", jpeg) == jpeg) << "not the same bytes";
 }
 
-TEST(KeyFrameFiles, StoreByWhatAFileIsNotByItsName) {
+TEST(WriteKeyFrame, EncodesByContent_WhenTheNameIsWrong) {
   const TemporaryFolder folder;
   const std::string bitmap = encoded(".bmp", frameOf({}).color);
   EXPECT_EQ(storedImage(folder, "frame.png", bitmap).substr(0, 4), "\x89PNG");

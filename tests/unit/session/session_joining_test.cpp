@@ -15,7 +15,7 @@ RegionEvents joinOf(std::initializer_list<RegionId> from) {
   return events;
 }
 
-TEST(SessionJoining, AnObjectMoves_WhenTheOtherRegionIsNone) {
+TEST(JoinObjects, MovesTheObject_WhenTheOtherRegionHasNone) {
   Objects objects{{kFrom, ObjectId{7}}};
   const JoinedObjects joined = joinObjects(joinOf({kFrom}), objects);
   EXPECT_EQ(objects[kInto], ObjectId{7});
@@ -24,7 +24,7 @@ TEST(SessionJoining, AnObjectMoves_WhenTheOtherRegionIsNone) {
   EXPECT_EQ(joined.before, (Objects{{kInto, {}}, {kFrom, ObjectId{7}}}));
 }
 
-TEST(SessionJoining, TwoObjectsAreToBecomeOne) {
+TEST(JoinObjects, RequestsAMerge_WhenBothRegionsHaveObjects) {
   Objects objects{{kFrom, ObjectId{7}}, {kLast, ObjectId{9}}};
   const JoinedObjects joined = joinObjects(joinOf({kFrom, kLast}), objects);
   EXPECT_EQ(objects[kInto], ObjectId{7});
@@ -32,12 +32,12 @@ TEST(SessionJoining, TwoObjectsAreToBecomeOne) {
   EXPECT_EQ(joined.pairs, (std::vector{std::pair(ObjectId{7}, ObjectId{9})}));
 }
 
-TEST(SessionJoining, NothingIsKept_WhenNoneIsAnObject) {
+TEST(JoinObjects, StoresNothing_WhenNoRegionHasAnObject) {
   Objects objects;
   EXPECT_EQ(joinedToText(joinObjects(joinOf({kFrom}), objects)), "");
 }
 
-TEST(SessionJoining, EachJoinHasATokenOfItsOwn) {
+TEST(JoinObjects, GivesEachJoinItsOwnToken) {
   Objects objects{{kFrom, ObjectId{7}}, {kLast, ObjectId{9}}};
   const JoinedObjects first = joinObjects(joinOf({kFrom}), objects);
   const JoinedObjects second = joinObjects(joinOf({kLast}), objects);
@@ -45,7 +45,7 @@ TEST(SessionJoining, EachJoinHasATokenOfItsOwn) {
   EXPECT_NE(first.token, second.token);
 }
 
-TEST(SessionJoining, LastOperationIsTheOneThatWasDoneOrUndoneLast) {
+TEST(LastOperation, IsTheLastDoneOrUndoneOne) {
   OperationLog log;
   EXPECT_EQ(lastOperation(log, false), 0);
   EXPECT_EQ(lastOperation(log, true), 0);
@@ -54,10 +54,10 @@ TEST(SessionJoining, LastOperationIsTheOneThatWasDoneOrUndoneLast) {
   ASSERT_TRUE(log.undo());
   ASSERT_TRUE(log.undo());
   EXPECT_EQ(lastOperation(log, false), 1);
-  EXPECT_EQ(lastOperation(log, true), 2) << "which can be done again first";
+  EXPECT_EQ(lastOperation(log, true), 2) << "the next one to redo";
 }
 
-TEST(SessionJoining, ComesBackFromTheSession) {
+TEST(JoinedObjects, ReadBackEqual_FromText) {
   JoinedObjects joined;
   joined.state = JoinedObjects::State::to_unmerge;
   joined.token = "0123";

@@ -31,55 +31,55 @@ class DamagedKeyFrameTest : public testing::Test {
     return frame;
   }
 
-  /// Written, saved, and as the session gives it back.
+  /// Writes and saves a key frame; returns it as the session loads it.
   SavedKeyFrame saved(int depth_mm) {
     const auto written = writeKeyFrame(*store_, 7, frameOf(depth_mm));
     EXPECT_TRUE(written) << written.error().message();
-    EXPECT_TRUE(store_->saveKeyFrame(kept_, *written));
+    EXPECT_TRUE(store_->saveKeyFrame(frame_, *written));
     return store_->load()->key_frames.at(0);
   }
 
   TemporaryFolder folder_;
   std::unique_ptr<SessionStore> store_;
-  SavedFrame kept_{.number = 7, .state = TrackingState::tracking};
+  SavedFrame frame_{.number = 7, .state = TrackingState::tracking};
 };
 
-TEST_F(DamagedKeyFrameTest, ImagesComeBack_WhenTheyAreThoseThatWereWritten) {
+TEST_F(DamagedKeyFrameTest, ReadsImages_WhenUnchanged) {
   const SavedKeyFrame key = saved(1500);
   EXPECT_EQ(key.depth_file, "keyframes/000007.depth.png");
-  const auto frame = readKeyFrame(store_->folder(), key, kept_);
+  const auto frame = readKeyFrame(store_->folder(), key, frame_);
   ASSERT_TRUE(frame) << frame.error().message();
   EXPECT_EQ(frame->depth.at<std::uint16_t>(3, 3), 1500);
   EXPECT_EQ(frame->color.at<cv::Vec3b>(3, 3)[2], 100);
 }
 
-TEST_F(DamagedKeyFrameTest, FrameIsLeftOut_WhenAnImageIsAnotherSoundOne) {
+TEST_F(DamagedKeyFrameTest, RefusesTheFrame_WhenAnotherImageReplacesItsOwn) {
   const SavedKeyFrame key = saved(1500);
   const fs::path depth = store_->folder() / key.depth_file, color = store_->folder() / key.color_file;
-  const std::string sound = readText(depth);
+  const std::string intact = readText(depth);
   folder_.write("scan/" + key.depth_file.string(), encodePng(frameOf(1501).depth));
-  auto frame = readKeyFrame(store_->folder(), key, kept_);
+  auto frame = readKeyFrame(store_->folder(), key, frame_);
   ASSERT_FALSE(frame);
   EXPECT_THAT(frame.error().message(), AllOf(HasSubstr(depth.string()), HasSubstr("left out")));
-  folder_.write("scan/" + key.depth_file.string(), sound);
+  folder_.write("scan/" + key.depth_file.string(), intact);
   folder_.write("scan/" + key.color_file.string(), encodePng(frameOf(1501).color));
-  frame = readKeyFrame(store_->folder(), key, kept_);
+  frame = readKeyFrame(store_->folder(), key, frame_);
   ASSERT_FALSE(frame);
   EXPECT_THAT(frame.error().message(), HasSubstr(color.string()));
 }
 
-TEST_F(DamagedKeyFrameTest, ImagesOfAnEarlierVersionAreRead) {
+TEST_F(DamagedKeyFrameTest, ReadsImages_WithoutChecksums) {
   SavedKeyFrame key = saved(1500);
   key.depth_checksum = key.color_checksum = std::nullopt;
-  EXPECT_TRUE(readKeyFrame(store_->folder(), key, kept_));
+  EXPECT_TRUE(readKeyFrame(store_->folder(), key, frame_));
 }
 
-TEST_F(DamagedKeyFrameTest, SomebodysImageStays_WhenItHasTheName) {
+TEST_F(DamagedKeyFrameTest, KeepsAForeignImage_WhenItHasTheName) {
   folder_.write("scan/keyframes/000007.depth.png", "mine");
   const SavedKeyFrame key = saved(1500);
   EXPECT_EQ(key.depth_file, "keyframes/000007-2.depth.png");
   EXPECT_EQ(readText(folder_ / "scan/keyframes/000007.depth.png"), "mine");
-  EXPECT_TRUE(readKeyFrame(store_->folder(), key, kept_));
+  EXPECT_TRUE(readKeyFrame(store_->folder(), key, frame_));
 }
 
 }  // namespace

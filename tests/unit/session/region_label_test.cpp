@@ -20,7 +20,7 @@ RegionObject known(std::uint32_t id, const std::string& name, NamedBy by = Named
   return {State::known, ObjectId{id}, name, by, by == NamedBy::person, false};
 }
 
-TEST(RegionLabelTest, IsTheCataloguesName_WhenAPersonGaveIt) {
+TEST(RegionLabel, IsTheCataloguesName_WhenAPersonGaveIt) {
   const RegionLabel label = labelOf(noteOf("mug", "cup"), known(7, "red mug"));
   EXPECT_EQ(label.name, "red mug");
   EXPECT_EQ(label.category, "cup");
@@ -30,20 +30,21 @@ TEST(RegionLabelTest, IsTheCataloguesName_WhenAPersonGaveIt) {
   EXPECT_TRUE(label.is_named);
 }
 
-TEST(RegionLabelTest, IsTheSessionsName_WhenTheCatalogueHasNoneOfAPerson) {
+TEST(RegionLabel, IsTheSessionsName_WhenTheCatalogueHasNoUserName) {
   EXPECT_EQ(labelOf(noteOf("mug"), known(7, "Obj_7", NamedBy::program)).name, "mug");
   EXPECT_EQ(labelOf(noteOf("mug"), {}).name, "mug");
-  EXPECT_EQ(labelOf(noteOf("mug"), known(7, "cup"), true).name, "mug") << "the catalogue was not told";
+  EXPECT_EQ(labelOf(noteOf("mug"), known(7, "cup"), true).name, "mug")
+      << "the catalogue does not have the new name";
 }
 
-TEST(RegionLabelTest, IsTheGeneratedName_WhenNobodyGaveOne) {
+TEST(RegionLabel, IsTheGeneratedName_WhenNobodyGaveOne) {
   const RegionLabel label = labelOf({}, known(7, "Obj_7", NamedBy::program));
   EXPECT_EQ(label.name, "Obj_7");
   EXPECT_FALSE(label.is_named);
   EXPECT_TRUE(label.is_object);
 }
 
-TEST(RegionLabelTest, IsNoObject_WhenItWasDeleted) {
+TEST(RegionLabel, IsNoObject_WhenItWasDeleted) {
   RegionNote note = noteOf("mug", "cup");
   note.object = true;
   const RegionLabel label = labelOf(note, {.state = State::deleted});
@@ -51,11 +52,10 @@ TEST(RegionLabelTest, IsNoObject_WhenItWasDeleted) {
   EXPECT_EQ(label.category, "");
   EXPECT_FALSE(label.object);
   EXPECT_FALSE(label.is_object);
-  EXPECT_EQ(labelOf(note, {.state = State::deleted}, true).name, "mug")
-      << "named again, in the session alone";
+  EXPECT_EQ(labelOf(note, {.state = State::deleted}, true).name, "mug") << "renamed in the session only";
 }
 
-TEST(RegionLabelTest, IsNoObject_WhenAPersonSaidSo) {
+TEST(RegionLabel, IsNoObject_WhenAPersonRejectedIt) {
   RegionNote note;
   note.rejected = true;
   EXPECT_FALSE(labelOf(note, known(7, "cup")).is_object);
@@ -64,7 +64,7 @@ TEST(RegionLabelTest, IsNoObject_WhenAPersonSaidSo) {
   EXPECT_FALSE(labelOf(note, known(7, "cup")).is_object);
 }
 
-TEST(RegionLabelTest, MergedRegionsAreOfTheClassOfTheirObject) {
+TEST(RegionLabel, MergedRegionsShareTheClassOfTheirObject) {
   std::map<RegionId, RegionObject> objects{{kOne, known(7, "mug")}, {kOther, known(7, "mug")}};
   objects[kOther].is_merged = true;
   std::map<RegionId, RegionLabel> labels{{kOne, labelOf(noteOf("mug", "cup"), objects[kOne])},
@@ -75,7 +75,7 @@ TEST(RegionLabelTest, MergedRegionsAreOfTheClassOfTheirObject) {
   EXPECT_EQ(labels[kOther].name, "mug");
 }
 
-TEST(RememberedObjectsTest, ComeBackAsTheyWere) {
+TEST(RememberedObjects, ReadBackEqual_FromText) {
   RememberedObjects objects{{kOne, {known(7, "M\xC3\xBCsli \"x\""), "A"}},
                             {kOther, {{.state = State::deleted}, "B"}}};
   EXPECT_EQ(rememberedFrom(rememberedToText(objects)), objects);
@@ -84,7 +84,7 @@ TEST(RememberedObjectsTest, ComeBackAsTheyWere) {
     EXPECT_TRUE(rememberedFrom(text).empty()) << text;
 }
 
-TEST(RememberedObjectsTest, OfThisCatalogueAreThoseOfNow) {
+TEST(RememberedObjects, AreReplaced_ForTheCurrentCatalogue) {
   const RememberedObjects before{{kOne, {known(7, "mug"), "A"}}, {kOther, {known(8, "box"), "B"}}};
   EXPECT_EQ(remember(before, {}, "A"), (RememberedObjects{{kOther, {known(8, "box"), "B"}}}));
   EXPECT_EQ(remember(before, {{kOther, known(1, "red box")}}, "A"),
