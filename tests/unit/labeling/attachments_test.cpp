@@ -14,16 +14,16 @@ namespace {
 
 constexpr int kWidth = 160, kHeight = 120;
 constexpr auto kPixels = static_cast<std::size_t>(kWidth) * kHeight;
-constexpr int kVoxelsOfThing = 2000, kVoxelsOfRoom = 100'000;
-// Segments, which are the regions in the end.
-constexpr std::uint32_t kWall = 1, kHolder = 2, kPart = 3, kScreen = 4;
+constexpr int kVoxelsOfObject = 2000, kVoxelsOfRoom = 100'000;
+// Segments; each becomes a region.
+constexpr std::uint32_t kWall = 1, kBase = 2, kPart = 3, kScreen = 4;
 
 struct Hit {
   float z;
   Eigen::Vector3f normal;
   std::uint32_t segment;
 };
-using Surface = std::function<std::optional<Hit>(const Eigen::Vector3f& ray)>;  // of length 1 along z
+using Surface = std::function<std::optional<Hit>(const Eigen::Vector3f& ray)>;  // the ray has z = 1
 
 Surface ball(const Eigen::Vector3f& center, float radius, std::uint32_t segment) {
   return [=](const Eigen::Vector3f& ray) -> std::optional<Hit> {
@@ -35,8 +35,7 @@ Surface ball(const Eigen::Vector3f& center, float radius, std::uint32_t segment)
   };
 }
 
-/// A plane through `point`; only where its points lie less than `half_m` to either side of x = 0 and as far
-/// from `point` at most.
+/// The part of a plane through `point` with |x| <= half_m and at most 1.3 half_m from `point`.
 Surface plate(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float half_m,
               std::uint32_t segment) {
   return [=, n = normal.normalized().eval()](const Eigen::Vector3f& ray) -> std::optional<Hit> {
@@ -47,7 +46,7 @@ Surface plate(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float
   };
 }
 
-/// A frame of a few surfaces before a wall, each a segment of its own and labelled as one fragment.
+/// A frame of surfaces in front of a wall; each is one segment and one fragment.
 struct Scene {
   RenderedView view{{150, 150, (kWidth - 1) / 2.0F, (kHeight - 1) / 2.0F, kWidth, kHeight},
                     Eigen::Isometry3d::Identity(),
@@ -64,7 +63,7 @@ struct Scene {
     std::vector<FragmentId> fragments = {{}};
     for (std::uint32_t segment = kWall; segment <= kScreen; ++segment) {
       fragments.push_back(table.newFragment());
-      voxels.push_back(segment == kWall ? kVoxelsOfRoom : kVoxelsOfThing);
+      voxels.push_back(segment == kWall ? kVoxelsOfRoom : kVoxelsOfObject);
     }
     segments.areas.assign(kScreen + 1, 0);
     for (std::size_t i = 0; i < kPixels; ++i) {
@@ -87,36 +86,35 @@ struct Scene {
   [[nodiscard]] MergeInput input() const { return {segments, view, {}, voxels}; }
   [[nodiscard]] RegionId region(std::uint32_t segment) const { return table.regionOf(FragmentId{segment}); }
 
-  /// What one look says of part and holder.
+  /// The attachment of part and base that one frame shows; none if unknown.
   [[nodiscard]] std::optional<bool> areAttached() const {
     RegionMerger::Outcome merged;
     merged.fragments = view.fragments;
     for (const FragmentId fragment : view.fragments) merged.regions.push_back(table.regionOf(fragment));
     for (const Attachment& attachment : findAttachments(input(), merged, table)) {
-      if (attachment.a != region(kHolder) || attachment.b != region(kPart)) continue;
-      EXPECT_THAT(attachment.borders,
-                  testing::ElementsAre(std::pair(FragmentId{kHolder}, FragmentId{kPart})));
+      if (attachment.a != region(kBase) || attachment.b != region(kPart)) continue;
+      EXPECT_THAT(attachment.borders, testing::ElementsAre(std::pair(FragmentId{kBase}, FragmentId{kPart})));
       return attachment.is_attached;
     }
     return std::nullopt;
   }
-  /// Whether part and holder are one region after so many frames.
+  /// True if part and base are one region after `frames` frames.
   [[nodiscard]] bool areOneAfter(int frames) {
     GraphMerger merger;
     for (int i = 0; i < frames; ++i) (void)merger.merge(input(), table, LabelingParams());
-    return region(kHolder) == region(kPart);
+    return region(kBase) == region(kPart);
   }
 };
 
 const Eigen::Vector3f kBelow(0, 0.05F, 1), kAbove(0, -0.08F, 0.98F);
 /// A head on a body.
-std::vector<Surface> headOnBody() { return {ball(kBelow, 0.1F, kHolder), ball(kAbove, 0.06F, kPart)}; }
+std::vector<Surface> headOnBody() { return {ball(kBelow, 0.1F, kBase), ball(kAbove, 0.06F, kPart)}; }
 /// The same ball on a board that is seen from above.
 std::vector<Surface> ballOnBoard() {
-  return {plate({0, -0.02F, 1}, {0, -0.7F, -0.7F}, 0.2F, kHolder), ball(kAbove, 0.06F, kPart)};
+  return {plate({0, -0.02F, 1}, {0, -0.7F, -0.7F}, 0.2F, kBase), ball(kAbove, 0.06F, kPart)};
 }
 
-TEST(Attachments, IsAttached_WhenOnlyACurvedRegionTouches) {
+TEST(Attachments, IsAttached_WhenItTouchesOnlyACurvedRegion) {
   EXPECT_EQ(Scene(headOnBody()).areAttached(), true);
 }
 
@@ -124,7 +122,7 @@ TEST(Attachments, IsNotAttached_WhenTheOtherIsFlat) { EXPECT_EQ(Scene(ballOnBoar
 
 TEST(Attachments, IsNotAttached_WhenAThirdRegionTouches) {
   std::vector<Surface> surfaces = headOnBody();
-  surfaces.push_back(plate({0, 0, 0.95F}, {0, 0, -1}, 0.3F, kScreen));  // both stick out of it
+  surfaces.push_back(plate({0, 0, 0.95F}, {0, 0, -1}, 0.3F, kScreen));  // base and part both stick out of it
   EXPECT_EQ(Scene(surfaces).areAttached(), false);
 }
 
@@ -136,12 +134,12 @@ TEST(Attachments, IsUnknown_WhenHalfHidden) {
 
 TEST(Attachments, IsUnknown_WhenTheOtherIsLargerThanObjects) {
   Scene scene(headOnBody());
-  scene.voxels[kHolder] = kVoxelsOfRoom;
+  scene.voxels[kBase] = kVoxelsOfRoom;
   EXPECT_EQ(scene.areAttached(), std::nullopt);
 }
 
 TEST(Attachments, JoinsRegions_AfterEnoughObservations) {
-  EXPECT_FALSE(Scene(headOnBody()).areOneAfter(2)) << "two looks say little";
+  EXPECT_FALSE(Scene(headOnBody()).areOneAfter(2)) << "two observations are too few";
   EXPECT_TRUE(Scene(headOnBody()).areOneAfter(40));
   EXPECT_FALSE(Scene(ballOnBoard()).areOneAfter(40));
 }

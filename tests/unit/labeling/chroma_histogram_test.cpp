@@ -9,7 +9,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kSide = ChromaHistogram::kSide;
-// Centres of bins are 8 apart, the middle of 16 is grey: those of bins 7 and 8 are -4 and 4.
+// Bin centres are 8 apart; grey lies between the centres of bins 7 (-4) and 8 (4).
 int binOf(int a, int b) { return a * kSide + b; }
 
 TEST(ChromaHistogram, ColorCountsInTheNearestBins_AtAnyBrightness) {

@@ -40,7 +40,7 @@ TEST(EvidenceGraph, RemoveDropsOnlyTheBordersOfTheFragment) {
   EXPECT_THAT(othersOf(graph, 1), testing::ElementsAre(3));
   EXPECT_THAT(othersOf(graph, 2), testing::IsEmpty());
   EXPECT_EQ(graph.between(FragmentId{3}, FragmentId{1}).observations, 3);
-  // The number comes again for another fragment, of which nothing is known.
+  // A reused number has no evidence.
   EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{3}).observations, 0);
   EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{1}).observations, 0);
   EXPECT_EQ(graph.borderCount(), 3U);

@@ -10,18 +10,19 @@ namespace scantrove {
 namespace {
 
 using test::PaintedFrame;
-constexpr FragmentId kLeftThing{3}, kRightThing{8};
+constexpr FragmentId kLeftFragment{3}, kRightFragment{8};
 
-PaintedFrame twoThings() {
+PaintedFrame twoFragments() {
   PaintedFrame frame = PaintedFrame::corner(0);
-  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kLeft, kLeftThing);
-  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kRight, kRightThing);
+  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kLeft, kLeftFragment);
+  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kRight, kRightFragment);
   return frame;
 }
 
 std::optional<ColorComparison> comparisonIn(const PaintedFrame& frame) {
   const FragmentColors colors(frame.input(), frame.view.fragments);
-  const auto one = colors.between(kLeftThing, kRightThing), other = colors.between(kRightThing, kLeftThing);
+  const auto one = colors.between(kLeftFragment, kRightFragment),
+             other = colors.between(kRightFragment, kLeftFragment);
   EXPECT_EQ(one.has_value(), other.has_value());
   if (one && other) {
     for (const auto value :
@@ -32,11 +33,11 @@ std::optional<ColorComparison> comparisonIn(const PaintedFrame& frame) {
   return one;
 }
 
-TEST(FragmentColors, DifferenceIsThatOfTheMeansAndChromaIgnoresBrightness) {
-  PaintedFrame frame = twoThings();
+TEST(FragmentColors, DifferenceComparesMeans_AndChromaIgnoresBrightness) {
+  PaintedFrame frame = twoFragments();
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
   PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(52, 13, 4));
-  // Stripes do not count: as many of them are lighter as are darker.
+  // Light and dark stripes cancel out.
   for (int y = 0; y < PaintedFrame::kHeight; ++y) {
     const float stripe = y % 2 == 0 ? 20.0F : -20.0F;
     for (int x = 0; x < PaintedFrame::kWidth; ++x)
@@ -49,16 +50,16 @@ TEST(FragmentColors, DifferenceIsThatOfTheMeansAndChromaIgnoresBrightness) {
 }
 
 TEST(FragmentColors, ComparisonIsNone_WithoutColorOrSurface) {
-  PaintedFrame frame = twoThings();
+  PaintedFrame frame = twoFragments();
   EXPECT_FALSE(comparisonIn(frame));
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
   EXPECT_TRUE(comparisonIn(frame));
   PaintedFrame::fill(frame.view.vertices_world, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
-  EXPECT_FALSE(comparisonIn(frame)) << "there is no surface of it";
+  EXPECT_FALSE(comparisonIn(frame)) << "one fragment has no surface";
 }
 
 TEST(FragmentColors, IgnoresPixelsWithoutSurface) {
-  PaintedFrame frame = twoThings();
+  PaintedFrame frame = twoFragments();
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
   constexpr test::Rectangle kHole{40, 5, 60, 40};
   PaintedFrame::fill(frame.color_lab, kHole, Eigen::Vector3f(90, -50, 0));
@@ -66,14 +67,14 @@ TEST(FragmentColors, IgnoresPixelsWithoutSurface) {
   EXPECT_NEAR(comparisonIn(frame)->difference, 0, 1e-4F);
 }
 
-// At the centres of bins of ChromaHistogram.
+// Colours at bin centres of ChromaHistogram.
 const Eigen::Vector3f kRed(50, 36, 4), kGreen(50, -36, 4), kGray(50, 4, 4);
 constexpr test::Rectangle kUpperLeft{0, 0, PaintedFrame::kWidth / 2 - 1, PaintedFrame::kHeight / 2 - 1};
 constexpr test::Rectangle kUpperRight{PaintedFrame::kWidth / 2, 0, PaintedFrame::kWidth - 1,
                                       PaintedFrame::kHeight / 2 - 1};
 
-TEST(FragmentColors, SharedIsTheOverlapOfChromas) {
-  PaintedFrame frame = twoThings();
+TEST(FragmentColors, SharedIsTheOverlapOfChromaHistograms) {
+  PaintedFrame frame = twoFragments();
   frame.color_lab.assign(PaintedFrame::kPixels, kRed);
   PaintedFrame::fill(frame.color_lab, kUpperLeft, kGreen);
   const auto half = comparisonIn(frame);
@@ -81,8 +82,8 @@ TEST(FragmentColors, SharedIsTheOverlapOfChromas) {
   EXPECT_NEAR(half->shared, 0.5F, 1e-4F) << "one is half green, the other all red";
   EXPECT_NEAR(half->shared_chroma, 0.5F * std::hypot(36.0F, 4.0F), 1e-2F);
   PaintedFrame::fill(frame.color_lab, kUpperRight, kGreen);
-  EXPECT_NEAR(comparisonIn(frame)->shared, 1, 1e-4F) << "a pattern that both have";
-  // Light and shadow are no chroma.
+  EXPECT_NEAR(comparisonIn(frame)->shared, 1, 1e-4F) << "both have the same pattern";
+  // Brightness does not affect chroma.
   PaintedFrame::fill(frame.color_lab, PaintedFrame::kLeft, kRed);
   PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(20, kRed[1], kRed[2]));
   EXPECT_NEAR(comparisonIn(frame)->shared, 1, 1e-4F);
@@ -91,10 +92,10 @@ TEST(FragmentColors, SharedIsTheOverlapOfChromas) {
   EXPECT_NEAR(comparisonIn(frame)->shared_chroma, 0, 1e-4F);
 }
 
-TEST(FragmentColors, ElsewhereIsThePartOfSharedChromasInTheRest) {
-  PaintedFrame frame = twoThings();
+TEST(FragmentColors, ElsewhereIsTheShareOfCommonChromasInOtherFragments) {
+  PaintedFrame frame = twoFragments();
   frame.color_lab.assign(PaintedFrame::kPixels, kRed);
-  EXPECT_EQ(comparisonIn(frame)->elsewhere, 0) << "there is nothing else";
+  EXPECT_EQ(comparisonIn(frame)->elsewhere, 0) << "there are no other fragments";
   constexpr test::Rectangle kRest{0, 0, PaintedFrame::kWidth - 1, 9};
   PaintedFrame::fill(frame.view.fragments, kRest, FragmentId{5});
   EXPECT_NEAR(comparisonIn(frame)->elsewhere, 1, 1e-4F);
@@ -105,7 +106,7 @@ TEST(FragmentColors, ElsewhereIsThePartOfSharedChromasInTheRest) {
 }
 
 TEST(FragmentColors, VarietyIsThatOfThePlainerFragment) {
-  PaintedFrame frame = twoThings();
+  PaintedFrame frame = twoFragments();
   frame.color_lab.assign(PaintedFrame::kPixels, kGray);
   PaintedFrame::fill(frame.color_lab, kUpperLeft, kRed);
   EXPECT_NEAR(comparisonIn(frame)->variety, 0, 0.05F) << "the right one is all grey";

@@ -15,7 +15,7 @@ using test::PaintedFrame;
 constexpr FragmentId kLeftPart{4}, kRightPart{2};
 constexpr int kBorder_px = PaintedFrame::kHeight;  // the middle column, top to bottom
 
-/// Left and right halves painted as parts, and seen as segments of their own.
+/// Makes the left and right halves one fragment and one segment each.
 PaintedFrame withTwoParts(PaintedFrame frame) {
   PaintedFrame::fill(frame.view.fragments, PaintedFrame::kLeft, kLeftPart);
   PaintedFrame::fill(frame.view.fragments, PaintedFrame::kRight, kRightPart);
@@ -49,7 +49,7 @@ TEST(FragmentContacts, RidgeHasANegativeAngle) {
   EXPECT_EQ(contacts.front().folded, 0);
 }
 
-TEST(FragmentContacts, SmoothBorderHasNoBendAndItsLengthInSpace) {
+TEST(FragmentContacts, SmoothBorderHasNoBendAndALengthInMetres) {
   const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(0)));
   ASSERT_EQ(contacts.size(), 1U);
   const FragmentContact& smooth = contacts.front();
@@ -61,10 +61,10 @@ TEST(FragmentContacts, SmoothBorderHasNoBendAndItsLengthInSpace) {
   EXPECT_FALSE(smooth.color_shift);
 }
 
-TEST(FragmentContacts, ColorShiftIsThatOfTheMeans) {
+TEST(FragmentContacts, ColorShiftComparesMeans) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   frame.color_lab.resize(PaintedFrame::kPixels);
-  // Stripes of 10 more and less cancel out; what is left is (3, 0, 4) between the two sides.
+  // Stripes of +-10 cancel out; the means differ by (3, 0, 4).
   for (int y = 0; y < PaintedFrame::kHeight; ++y) {
     const float stripe = y % 2 == 0 ? 10.0F : -10.0F;
     const int last = PaintedFrame::kWidth - 1, middle = PaintedFrame::kWidth / 2;
@@ -98,12 +98,12 @@ TEST(FragmentContacts, StepIsTheDistanceBetweenBothSurfaces) {
   }
   PaintedFrame frame = withTwoParts(PaintedFrame::step(0.02F));
   frame.view.normals_world.assign(PaintedFrame::kPixels, {0, 0, 0, 0});
-  EXPECT_EQ(contactsOf(frame).front().step_m, 0) << "of an unknown direction";
+  EXPECT_EQ(contactsOf(frame).front().step_m, 0) << "the direction is unknown";
 }
 
 TEST(FragmentContacts, ColorsCompareCompleteFragments) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
-  // Alike where they touch, and unlike elsewhere.
+  // Equal colours at the border, different ones elsewhere.
   frame.color_lab.assign(PaintedFrame::kPixels, Eigen::Vector3f(50, 0, 0));
   PaintedFrame::fill(frame.color_lab, {48, 0, PaintedFrame::kWidth - 1, PaintedFrame::kHeight - 1},
                      Eigen::Vector3f(50, 40, 0));
@@ -114,7 +114,7 @@ TEST(FragmentContacts, ColorsCompareCompleteFragments) {
 }
 
 TEST(FragmentContacts, FragmentsDoNotTouch_AcrossAnOcclusionEdge) {
-  // d_max one metre ahead is three pixels' width: 3 / 60 m.
+  // At 1 m, d_max is the width of three pixels: 3 / 60 m.
   EXPECT_EQ(contactsOf(withTwoParts(PaintedFrame::step(0.03F))).size(), 1U);
   EXPECT_THAT(contactsOf(withTwoParts(PaintedFrame::step(0.06F))), testing::IsEmpty());
 }
@@ -137,10 +137,10 @@ TEST(FragmentContacts, BorderIsBridged_WhenOneSegmentLiesOnBothSides) {
   const test::Rectangle bridge{20, 0, 50, PaintedFrame::kHeight / 4 - 1};
   frame.segments = frame.segmentsOf({PaintedFrame::kLeft, PaintedFrame::kRight, bridge});
   EXPECT_EQ(contactsOf(frame).front().bridged_px, kBorder_px / 4);
-  // A rim of a pixel or two, as the borders of segments and of voxels have, is no bridge.
+  // Borders of segments and voxels are ragged by a pixel or two; a segment that narrow is no bridge.
   const int middle = PaintedFrame::kWidth / 2;
-  const test::Rectangle rim{middle - 2, 0, middle + 1, PaintedFrame::kHeight - 1};
-  frame.segments = frame.segmentsOf({PaintedFrame::kLeft, PaintedFrame::kRight, rim});
+  const test::Rectangle narrow{middle - 2, 0, middle + 1, PaintedFrame::kHeight - 1};
+  frame.segments = frame.segmentsOf({PaintedFrame::kLeft, PaintedFrame::kRight, narrow});
   EXPECT_EQ(contactsOf(frame).front().bridged_px, 0);
 }
 

@@ -13,7 +13,7 @@ using test::Rectangle;
 constexpr FragmentId kComplete{3};
 constexpr Rectangle kSmall{PaintedFrame::kWidth / 2, 10, PaintedFrame::kWidth / 2 + 9, 37};
 
-/// One fragment over all of a surface, and observations of it.
+/// Observations of one fragment that covers a complete surface.
 class FragmentSplitterTest : public testing::Test {
  protected:
   explicit FragmentSplitterTest(const PaintedFrame& frame = PaintedFrame::corner(1)) : frame_(frame) {
@@ -27,7 +27,7 @@ class FragmentSplitterTest : public testing::Test {
     return splitter_.find(frame_.input(),
                           buildOverlapGraph<FragmentId>(frame_.segments, frame_.view.fragments), owner);
   }
-  /// The observation that split first, of `count`; 0: none did.
+  /// The number of the first of `count` observations that splits the fragment; 0 if none does.
   int firstSplit(const std::vector<Rectangle>& segments, int count) {
     for (int i = 1; i <= count; ++i) {
       if (!observe(segments).empty()) return i;
@@ -58,7 +58,7 @@ TEST_F(FragmentSplitterTest, IgnoresTheNumbersOfSegments) {
 }
 
 TEST_F(FragmentSplitterTest, SplitsNothing_WhenObservationsDisagree) {
-  // Another place each time, or another size.
+  // The segments differ in position or size each time.
   const int middle = PaintedFrame::kWidth / 2;
   for (int round = 0; round < FragmentSplitter::kObservations - 1; ++round) {
     EXPECT_TRUE(observe({PaintedFrame::kLeft, {middle, 0, middle + 9, 9}}).empty());
@@ -69,7 +69,7 @@ TEST_F(FragmentSplitterTest, SplitsNothing_WhenObservationsDisagree) {
 }
 
 TEST_F(FragmentSplitterTest, CountsOneObservationPerFrame) {
-  // The side meets two others in a fold.
+  // Two other segments border on the small one in a fold.
   const Rectangle upper{0, 0, PaintedFrame::kWidth / 2 - 1, 23},
       lower{0, 24, PaintedFrame::kWidth / 2 - 1, 47};
   EXPECT_EQ(firstSplit({upper, lower, kSmall}, FragmentSplitter::kObservations),
@@ -94,10 +94,11 @@ TEST_F(FragmentSplitterTest, NeedsMoreObservations_WhenSeenOften) {
   constexpr int kOften = 500;
   const int needed = FragmentSplitter::observationsNeeded(kOften + FragmentSplitter::kObservations);
   ASSERT_GT(needed, 2 * FragmentSplitter::kObservations);
-  ASSERT_EQ(FragmentSplitter::observationsNeeded(100), FragmentSplitter::kObservations) << "not yet often";
+  ASSERT_EQ(FragmentSplitter::observationsNeeded(100), FragmentSplitter::kObservations)
+      << "too few frames to raise the number";
   for (int i = 0; i < kOften; ++i) ASSERT_TRUE(observe({PaintedFrame::kAll}).empty());
   EXPECT_EQ(firstSplit({PaintedFrame::kLeft, kSmall}, 2 * needed), needed);
-  // Its number may be another fragment's later.
+  // A later fragment may reuse the number.
   for (int i = 0; i < kOften; ++i) ASSERT_TRUE(observe({PaintedFrame::kAll}).empty());
   splitter_.forget(kComplete);
   EXPECT_EQ(firstSplit({PaintedFrame::kLeft, kSmall}, needed), FragmentSplitter::kObservations);
@@ -132,12 +133,11 @@ TEST_F(FragmentSplitterTest, IgnoresSegmentsOfOtherFragments) {
   }
 }
 
-struct FragmentSplitterOnAWall : FragmentSplitterTest {
-  FragmentSplitterOnAWall() : FragmentSplitterTest(PaintedFrame::corner(0)) {}
+struct FragmentSplitterOnWallTest : FragmentSplitterTest {
+  FragmentSplitterOnWallTest() : FragmentSplitterTest(PaintedFrame::corner(0)) {}
 };
-/// Books side by side are as smooth as a wall; whether the parts are one is for the evidence of their border
-/// to say.
-TEST_F(FragmentSplitterOnAWall, SplitsASmoothSurface_WhenSegmentsAgree) {
+/// Books side by side are as smooth as a wall. Border evidence decides whether the parts are one region.
+TEST_F(FragmentSplitterOnWallTest, SplitsASmoothSurface_WhenSegmentsAgree) {
   EXPECT_EQ(firstSplit({PaintedFrame::kLeft, PaintedFrame::kRight}, 10), FragmentSplitter::kObservations);
 }
 

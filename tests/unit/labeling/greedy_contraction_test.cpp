@@ -12,9 +12,9 @@ namespace {
 
 using testing::ElementsAre;
 
-/// By the definition: all sums anew for each contraction.
+/// The definition: recomputes all sums for each contraction.
 std::vector<std::uint32_t> contractLiterally(std::size_t node_count, const std::vector<WeightedEdge>& edges) {
-  std::vector<std::uint32_t> part(node_count);  // named by its first node
+  std::vector<std::uint32_t> part(node_count);  // numbered by its first node
   for (std::uint32_t node = 0; node < node_count; ++node) part[node] = node;
   for (;;) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
@@ -31,12 +31,12 @@ std::vector<std::uint32_t> contractLiterally(std::size_t node_count, const std::
     std::ranges::replace(part, best.second, best.first);
   }
   std::map<std::uint32_t, std::uint32_t> number;
-  for (std::uint32_t& named : part)
-    named = number.try_emplace(named, static_cast<std::uint32_t>(number.size())).first->second;
+  for (std::uint32_t& node_part : part)
+    node_part = number.try_emplace(node_part, static_cast<std::uint32_t>(number.size())).first->second;
   return part;
 }
 
-/// Whole numbers, so that sums are exact and ties common.
+/// Integer weights give exact sums and many ties.
 std::vector<WeightedEdge> randomEdges(std::mt19937& random, std::uint32_t nodes, int count) {
   std::vector<WeightedEdge> edges;
   for (int i = 0; i < count; ++i) {
@@ -46,7 +46,7 @@ std::vector<WeightedEdge> randomEdges(std::mt19937& random, std::uint32_t nodes,
   return edges;
 }
 
-TEST(ContractGreedily, EqualsTheDefinitionOnRandomGraphs) {
+TEST(ContractGreedily, EqualsTheDefinition_OnRandomGraphs) {
   std::mt19937 random(11);
   std::size_t parts_seen = 0;
   for (int round = 0; round < 400; ++round) {
@@ -59,7 +59,7 @@ TEST(ContractGreedily, EqualsTheDefinitionOnRandomGraphs) {
   EXPECT_GT(parts_seen, 400U) << "graphs that all become one part would prove nothing";
 }
 
-TEST(ContractGreedily, DoesNotDependOnTheOrderOfEdges) {
+TEST(ContractGreedily, GivesEqualParts_InAnyOrderOfEdges) {
   std::mt19937 random(12);
   for (int round = 0; round < 50; ++round) {
     auto edges = randomEdges(random, 12, 30);

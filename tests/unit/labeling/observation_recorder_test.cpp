@@ -5,11 +5,11 @@
 namespace scantrove {
 namespace {
 
-/// Two surfaces side by side, the left one facing the origin, and a speck between them.
+/// Two surfaces side by side and a fragment of two pixels.
 struct TwoSurfaces {
   static constexpr int kWidth = 80, kHeight = 60;
   RegionTable table;
-  FragmentId left = table.newFragment(), right = table.newFragment(), speck = table.newFragment();
+  FragmentId left = table.newFragment(), right = table.newFragment(), tiny = table.newFragment();
   RenderedView view;
 
   TwoSurfaces() {
@@ -25,7 +25,7 @@ struct TwoSurfaces {
         view.vertices_world[at] = {is_left ? -1.0F : 1.0F, 0, 2, 1};
       }
     }
-    view.fragments[0] = view.fragments[1] = speck;
+    view.fragments[0] = view.fragments[1] = tiny;
   }
   void record(const Eigen::Vector3d& camera) {
     view.T_world_camera = Eigen::Translation3d(camera);
@@ -49,10 +49,10 @@ TEST(ObservationRecorder, AddsDirectionsOfAllFrames) {
   EXPECT_TRUE(scene.table.seenFrom(scene.left).covers({1, 0, 0}));
 }
 
-TEST(ObservationRecorder, IgnoresAFewPixels) {
+TEST(ObservationRecorder, IgnoresAFragment_WhenItHasFewPixels) {
   TwoSurfaces scene;
   scene.record({0, 0, 0});
-  EXPECT_EQ(scene.table.seenFrom(scene.speck), ViewCoverage());
+  EXPECT_EQ(scene.table.seenFrom(scene.tiny), ViewCoverage());
 }
 
 TEST(ObservationRecorder, IgnoresPixelsWithoutSurface) {
@@ -62,7 +62,7 @@ TEST(ObservationRecorder, IgnoresPixelsWithoutSurface) {
   EXPECT_EQ(scene.table.seenFrom(scene.left), ViewCoverage());
 }
 
-TEST(RegionTable, CoverageIsThatOfAllFragmentsAndEmpty_ForAReusedNumber) {
+TEST(RegionTable, CoverageSpansAllFragmentsAndIsEmpty_ForAReusedNumber) {
   RegionTable table;
   const FragmentId a = table.newFragment();
   const FragmentId b = table.newFragment();

@@ -7,7 +7,7 @@
 
 namespace scantrove::test {
 
-/// One-row images: each number an id.
+/// A one-row segment map of these ids.
 inline SegmentMap segmentsOf(const std::vector<std::uint32_t>& ids) {
   SegmentMap map;
   map.width = static_cast<int>(ids.size());

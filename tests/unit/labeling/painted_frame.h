@@ -8,12 +8,12 @@
 
 namespace scantrove::test {
 
-/// Pixels of an image, last ones included.
+/// Pixel bounds, inclusive.
 struct Rectangle {
   int left, top, right, bottom;
 };
 
-/// A surface drawn by formula, seen from the world's origin along z, and images to paint on it.
+/// An analytic surface seen from the world's origin along z, with images to paint.
 struct PaintedFrame {
   static constexpr int kWidth = 64, kHeight = 48;
   static constexpr Rectangle kAll{0, 0, kWidth - 1, kHeight - 1};
@@ -27,10 +27,10 @@ struct PaintedFrame {
                     std::vector<Eigen::Vector4f>(kPixels),
                     std::vector<FragmentId>(kPixels),
                     {}};
-  std::vector<Eigen::Vector3f> color_lab;  ///< empty: no colour
+  std::vector<Eigen::Vector3f> color_lab;  ///< empty without colour
   std::vector<int> voxels;                 ///< by fragment
-  SegmentMap segments;                     ///< to be made by segmentsOf()
-  std::vector<std::uint8_t> appeared;      ///< as in MergeInput; empty: nothing came
+  SegmentMap segments;                     ///< made by segmentsOf()
+  std::vector<std::uint8_t> appeared;      ///< as in MergeInput; empty if no object appeared
 
   /// Two upright planes that meet in the middle column, 1 m ahead. `turn_rad`: angle between their normals,
   /// > 0 an inner corner, < 0 an outer one, 0 a wall.
@@ -48,7 +48,7 @@ struct PaintedFrame {
     }
   }
 
-  /// S_t with the rectangles as segments 1, 2, ...; later ones lie on earlier ones.
+  /// The segment map S_t with the rectangles as segments 1, 2, ...; later ones cover earlier ones.
   [[nodiscard]] SegmentMap segmentsOf(const std::vector<Rectangle>& rectangles) const {
     SegmentMap map{
         kWidth, kHeight, std::vector<std::uint32_t>(kPixels, 0), {}, std::vector<float>(kPixels, 0)};
@@ -70,7 +70,7 @@ struct PaintedFrame {
     const Eigen::Vector3f normal(std::sin(yaw_rad), 0, -std::cos(yaw_rad));
     return {normal.z() / (normal.z() + normal.x() * x), normal};
   }
-  /// `at`: depth and normal at x = X / Z.
+  /// `at` gives depth and normal at x = X / Z.
   static PaintedFrame drawn(auto&& at) {
     PaintedFrame frame;
     for (std::size_t i = 0; i < kPixels; ++i) {
@@ -83,23 +83,23 @@ struct PaintedFrame {
   }
 };
 
-/// Looks at one painted surface again and again: each pixel is `kVoxelsAPixel` voxels, which hold fragments
-/// by the rule of update_labels.cl.
+/// Merges frames of one painted surface. Each pixel stands for `kVoxelsAPixel` voxels, whose fragments follow
+/// the rule of update_labels.cl.
 class PaintedScan {
  public:
-  static constexpr int kVoxelsAPixel = 16;  // 17 mm wide 1 m ahead: three voxels by three, nearly two deep
+  static constexpr int kVoxelsAPixel = 16;  // a pixel is 17 mm wide at 1 m: 3 x 3 voxels, nearly two layers
 
   explicit PaintedScan(PaintedFrame frame) : frame_(std::move(frame)) {}
 
-  const RegionMerger::Outcome& look(const std::vector<Rectangle>& segments, int times = 1) {
-    for (int i = 0; i < times; ++i) lookOnce(segments);
+  const RegionMerger::Outcome& observe(const std::vector<Rectangle>& segments, int times = 1) {
+    for (int i = 0; i < times; ++i) observeOnce(segments);
     return outcome_;
   }
-  /// From now on these came into the scene, each as a thing of its own; the rest was there.
-  void appearAs(const std::vector<Rectangle>& things) {
+  /// Marks the rectangles as newly appeared objects from the next frame on.
+  void appearAs(const std::vector<Rectangle>& objects) {
     frame_.appeared.assign(PaintedFrame::kPixels, 0);
-    std::uint8_t thing = 0;
-    for (const Rectangle& rectangle : things) PaintedFrame::fill(frame_.appeared, rectangle, ++thing);
+    std::uint8_t object = 0;
+    for (const Rectangle& rectangle : objects) PaintedFrame::fill(frame_.appeared, rectangle, ++object);
   }
   [[nodiscard]] RegionId regionAt(int x, int y) const { return table.regionOf(fragmentAt(x, y)); }
   [[nodiscard]] FragmentId fragmentAt(int x, int y) const {
@@ -111,19 +111,19 @@ class PaintedScan {
   LabelingParams params;
 
  private:
-  void lookOnce(const std::vector<Rectangle>& segments) {
+  void observeOnce(const std::vector<Rectangle>& segments) {
     frame_.segments = frame_.segmentsOf(segments);
     outcome_ = merger.merge(frame_.input(), table, params);
     for (std::size_t i = 0; i < PaintedFrame::kPixels; ++i) {
-      FragmentId& held = frame_.view.fragments[i];
+      FragmentId& stored = frame_.view.fragments[i];
       int& confidence = confidence_[i];
       const FragmentId seen = outcome_.fragments[i];
       if (!seen) continue;
       const bool at_once = std::ranges::find(outcome_.split_off, seen) != outcome_.split_off.end();
-      if (held == seen) {
+      if (stored == seen) {
         confidence = std::min(confidence + 1, 10);
-      } else if (!held || at_once || confidence <= 1) {
-        held = seen;
+      } else if (!stored || at_once || confidence <= 1) {
+        stored = seen;
         confidence = 1;
       } else {
         --confidence;
@@ -134,8 +134,8 @@ class PaintedScan {
 
   void countVoxels() {
     frame_.voxels.assign(table.regions().size(), 0);
-    for (const FragmentId held : frame_.view.fragments) {
-      if (held) frame_.voxels[held.value] += kVoxelsAPixel;
+    for (const FragmentId stored : frame_.view.fragments) {
+      if (stored) frame_.voxels[stored.value] += kVoxelsAPixel;
     }
     for (std::uint32_t i = 1; i < frame_.voxels.size(); ++i) {
       if (!table.regions()[i] || frame_.voxels[i] > 0) continue;

@@ -10,7 +10,7 @@ namespace {
 
 using Constraint = BorderEvidence::Constraint;
 
-/// Fragments that are regions of their own, and borders that speak for or against.
+/// Fragments that start as separate regions, and their borders.
 class RegionPartitionTest : public testing::Test {
  protected:
   static constexpr FragmentId kA{1}, kB{2}, kC{3}, kD{4};
@@ -19,9 +19,9 @@ class RegionPartitionTest : public testing::Test {
     for (int i = 0; i < fragments; ++i) (void)table_.newFragment();
   }
 
-  /// As many looks as evidence can hold, all alike: one segment on both, or a fold between two of unlike
+  /// Fills a border with equal observations: one segment across both fragments, or a fold between different
   /// colours.
-  void see(FragmentId a, FragmentId b, bool as_one, float length_m = 0.5F) {
+  void observe(FragmentId a, FragmentId b, bool as_one, float length_m = 0.5F) {
     BorderEvidence& border = graph_.between(a, b);
     border.observations = border.bends = BorderEvidence::kMaxObservations;
     border.bridged = border.shared = as_one ? border.observations : 0;
@@ -50,18 +50,18 @@ class RegionPartitionTest : public testing::Test {
 };
 
 TEST_F(RegionPartitionTest, JoinsAndSplits_WhenEvidenceChanges) {
-  see(kA, kB, true);
+  observe(kA, kB, true);
   update({kA, kB});
   EXPECT_TRUE(areOne(kA, kB));
   EXPECT_EQ(events_.joined.size(), 1U);
-  see(kA, kB, false);
+  observe(kA, kB, false);
   update({kA});
   EXPECT_FALSE(areOne(kA, kB));
   EXPECT_EQ(events_.parted.size(), 1U);
 }
 
 TEST_F(RegionPartitionTest, KeepsThePartition_WithinTheHysteresis) {
-  see(kA, kB, true);
+  observe(kA, kB, true);
   params_.hysteresis = 0.5F;
   const float odds = oddsBetween(kA, kB);
   const auto areOneAt = [&](float log_odds) {
@@ -69,45 +69,45 @@ TEST_F(RegionPartitionTest, KeepsThePartition_WithinTheHysteresis) {
     update({kA, kB});
     return areOne(kA, kB);
   };
-  EXPECT_FALSE(areOneAt(0.4F)) << "two stay two";
+  EXPECT_FALSE(areOneAt(0.4F)) << "separate regions stay separate";
   EXPECT_TRUE(areOneAt(0.6F));
-  EXPECT_TRUE(areOneAt(-0.4F)) << "one stays one";
+  EXPECT_TRUE(areOneAt(-0.4F)) << "one region stays one";
   EXPECT_FALSE(areOneAt(-0.6F));
 }
 
 TEST_F(RegionPartitionTest, CountsAllBordersBetweenTwoRegions) {
-  // a - b and b - c speak for one thing by a little, a - c for two by much more.
-  see(kA, kB, true);
-  see(kB, kC, true);
-  see(kA, kC, false);
+  // Borders a - b and b - c weakly favour joining; a - c strongly favours separation.
+  observe(kA, kB, true);
+  observe(kB, kC, true);
+  observe(kA, kC, false);
   params_.joining_bias = 1 + params_.hysteresis - oddsBetween(kA, kB);
   ASSERT_LT(oddsBetween(kA, kC) + params_.joining_bias, -2);
   update({kA, kB, kC});
-  EXPECT_TRUE(areOne(kA, kB)) << "one of two that are alike: the lower numbers";
+  EXPECT_TRUE(areOne(kA, kB)) << "of equal borders, the one with lower numbers";
   EXPECT_FALSE(areOne(kB, kC));
   EXPECT_FALSE(areOne(kA, kC));
 }
 
 TEST_F(RegionPartitionTest, KeepsUntouchedRegions) {
-  see(kA, kB, true);
-  see(kC, kD, true);
-  see(kB, kC, true);
+  observe(kA, kB, true);
+  observe(kC, kD, true);
+  observe(kB, kC, true);
   update({kA, kB});
   EXPECT_TRUE(areOne(kA, kB));
   EXPECT_FALSE(areOne(kC, kD));
   EXPECT_FALSE(areOne(kB, kC));
   EXPECT_EQ(events_.joined.size(), 1U);
-  // One fragment of a region brings all of it in.
+  // A touched fragment includes its complete region.
   update({kA, kC, kD});
   EXPECT_TRUE(areOne(kA, kD));
 }
 
 TEST_F(RegionPartitionTest, SmallFragmentFollowsItsLongestBorder) {
   voxels_[kB.value] = kSmallFragmentVoxels - 1;
-  see(kA, kB, false, 0.3F);
-  see(kB, kC, true, 0.1F);
+  observe(kA, kB, false, 0.3F);
+  observe(kB, kC, true, 0.1F);
   update({kA, kB, kC});
-  EXPECT_TRUE(areOne(kA, kB)) << "whatever was seen: there is too little of it to judge by";
+  EXPECT_TRUE(areOne(kA, kB)) << "a small fragment ignores its evidence";
   EXPECT_FALSE(areOne(kA, kC));
   voxels_[kB.value] = kSmallFragmentVoxels;
   update({kA, kB, kC});
@@ -117,14 +117,14 @@ TEST_F(RegionPartitionTest, SmallFragmentFollowsItsLongestBorder) {
 
 TEST_F(RegionPartitionTest, KeepsSmallFragmentsSeparate_WhenAllAreSmall) {
   voxels_[kA.value] = voxels_[kB.value] = 3;
-  see(kA, kB, true);
+  observe(kA, kB, true);
   update({kA, kB});
   EXPECT_FALSE(areOne(kA, kB));
 }
 
 TEST_F(RegionPartitionTest, ConstraintsOverrideEvidence) {
-  see(kA, kB, false);
-  see(kC, kD, true);
+  observe(kA, kB, false);
+  observe(kC, kD, true);
   graph_.constrain(kA, kB, Constraint::must_link);
   graph_.constrain(kC, kD, Constraint::cannot_link);
   params_.joining_bias = 1;
@@ -137,13 +137,13 @@ TEST_F(RegionPartitionTest, ConstraintsOverrideEvidence) {
 }
 
 TEST_F(RegionPartitionTest, ConstraintsHold_ForSmallFragments) {
-  // b is a sliver that touches a most, but was said to be one with c; d one that must not be part of a.
+  // b and d are tiny. b borders most on a, but must be linked to c; d must not be linked to c.
   voxels_[kB.value] = voxels_[kD.value] = 5;
-  see(kA, kB, true, 0.5F);
-  see(kB, kC, true, 0.1F);
-  see(kC, kD, true, 0.5F);
-  see(kA, kD, true, 0.1F);
-  see(kA, kC, true, 0.5F);
+  observe(kA, kB, true, 0.5F);
+  observe(kB, kC, true, 0.1F);
+  observe(kC, kD, true, 0.5F);
+  observe(kA, kD, true, 0.1F);
+  observe(kA, kC, true, 0.5F);
   graph_.constrain(kB, kC, Constraint::must_link);
   graph_.constrain(kA, kC, Constraint::cannot_link);
   graph_.constrain(kC, kD, Constraint::cannot_link);
@@ -151,7 +151,7 @@ TEST_F(RegionPartitionTest, ConstraintsHold_ForSmallFragments) {
   EXPECT_TRUE(areOne(kB, kC));
   EXPECT_FALSE(areOne(kA, kC));
   EXPECT_TRUE(areOne(kA, kD));
-  // The sliver's longest border is with a region that holds what it must not be with.
+  // The longest border of d is with a region that contains c, to which it cannot be linked.
   graph_.constrain(kA, kC, Constraint::must_link);
   update({kA, kB, kC, kD});
   EXPECT_TRUE(areOne(kA, kC));
@@ -165,17 +165,17 @@ class PartitionConstraintsTest : public RegionPartitionTest, public testing::Wit
   PartitionConstraintsTest() : RegionPartitionTest(kFragments) {}
 };
 
-/// Groups that must be one, and pairs of them that must not.
+/// Groups of must-linked fragments, and cannot-linked pairs.
 struct Accepted {
   std::vector<std::uint32_t> group;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;  // fragments
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> separate;  // fragments
 
   void join(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t into = group[a], from = group[b];
     std::ranges::replace(group, from, into);
   }
-  [[nodiscard]] bool areApart(std::uint32_t a, std::uint32_t b) const {
-    return std::ranges::any_of(apart, [&](const auto& pair) {
+  [[nodiscard]] bool areSeparate(std::uint32_t a, std::uint32_t b) const {
+    return std::ranges::any_of(separate, [&](const auto& pair) {
       const std::pair groups(group[pair.first], group[pair.second]);
       return groups == std::pair(group[a], group[b]) || groups == std::pair(group[b], group[a]);
     });
@@ -186,34 +186,35 @@ TEST_P(PartitionConstraintsTest, NewestConstraintsWin_WhenTheyContradict) {
   std::mt19937 random(GetParam());
   std::vector<FragmentId> all;
   for (std::uint32_t i = 1; i <= kFragments; ++i) all.push_back(FragmentId{i});
-  struct Said {
+  struct UserConstraint {
     std::uint32_t a, b;
     bool must_link;
   };
-  std::vector<Said> said;
+  std::vector<UserConstraint> constraints;
   for (int round = 0; round < 16; ++round) {
     const auto a = static_cast<std::uint32_t>(1 + random() % kFragments);
     const auto b = static_cast<std::uint32_t>(1 + (a + random() % (kFragments - 1)) % kFragments);
-    see(FragmentId{a}, FragmentId{b}, random() % 2 == 0);
+    observe(FragmentId{a}, FragmentId{b}, random() % 2 == 0);
     const bool must_link = random() % 2 == 0;
     graph_.constrain(FragmentId{a}, FragmentId{b},
                      must_link ? Constraint::must_link : Constraint::cannot_link);
-    std::erase_if(said, [&](const Said& old) { return std::minmax(old.a, old.b) == std::minmax(a, b); });
-    said.push_back({a, b, must_link});
+    std::erase_if(constraints,
+                  [&](const UserConstraint& old) { return std::minmax(old.a, old.b) == std::minmax(a, b); });
+    constraints.push_back({a, b, must_link});
     update(all);
 
-    // From the newest on, each holds that does not contradict newer ones.
+    // From the newest to the oldest, each constraint holds unless it contradicts newer ones.
     Accepted accepted;
     for (std::uint32_t i = 0; i <= kFragments; ++i) accepted.group.push_back(i);
-    for (auto it = said.rbegin(); it != said.rend(); ++it) {
+    for (auto it = constraints.rbegin(); it != constraints.rend(); ++it) {
       const bool are_one = accepted.group[it->a] == accepted.group[it->b];
-      if (it->must_link ? accepted.areApart(it->a, it->b) : are_one) continue;
+      if (it->must_link ? accepted.areSeparate(it->a, it->b) : are_one) continue;
       EXPECT_EQ(areOne(FragmentId{it->a}, FragmentId{it->b}), it->must_link)
           << it->a << (it->must_link ? " with " : " without ") << it->b << ", round " << round;
       if (it->must_link) {
         accepted.join(it->a, it->b);
       } else {
-        accepted.apart.emplace_back(it->a, it->b);
+        accepted.separate.emplace_back(it->a, it->b);
       }
     }
   }

@@ -41,7 +41,7 @@ TEST(RegionTable, SplitFragmentStaysInItsRegion) {
   const FragmentId cut = table.newFragmentBeside(b);
   EXPECT_EQ(cut, a) << "the lowest free number";
   EXPECT_EQ(table.regionOf(cut), table.regionOf(b));
-  EXPECT_THAT(table.fragmentsOf(table.regionOf(b)), testing::ElementsAre(a, b)) << "rising";
+  EXPECT_THAT(table.fragmentsOf(table.regionOf(b)), testing::ElementsAre(a, b)) << "in ascending order";
 }
 
 TEST(RegionTable, JoinMovesAllFragmentsOfBoth) {
@@ -97,15 +97,15 @@ TEST(RegionTable, RegionEnds_WhenItsLastFragmentIsFreed) {
 
 TEST(RegionTable, LargestPartKeepsTheIdentity_WhenARegionIsDivided) {
   RegionTable table = tableWith(3);
-  const RegionId whole = table.regionOf(kA);
-  ASSERT_TRUE(table.join(whole, table.regionOf(kB)));
-  ASSERT_TRUE(table.join(whole, table.regionOf(kC)));
+  const RegionId original = table.regionOf(kA);
+  ASSERT_TRUE(table.join(original, table.regionOf(kB)));
+  ASSERT_TRUE(table.join(original, table.regionOf(kC)));
   RegionEvents events;
   table.divide({{kA}, {kB, kC}}, std::vector<int>{0, 100, 70, 60}, events);
-  EXPECT_EQ(table.regionOf(kB), whole);
-  EXPECT_EQ(table.regionOf(kC), whole);
-  EXPECT_NE(table.regionOf(kA), whole);
-  EXPECT_EQ(events.parted, (Pairs{{whole, table.regionOf(kA)}}));
+  EXPECT_EQ(table.regionOf(kB), original);
+  EXPECT_EQ(table.regionOf(kC), original);
+  EXPECT_NE(table.regionOf(kA), original);
+  EXPECT_EQ(events.parted, (Pairs{{original, table.regionOf(kA)}}));
   EXPECT_THAT(events.joined, IsEmpty());
 }
 
@@ -147,8 +147,8 @@ TEST(RegionTable, DivideJoinsAndSplitsAtOnce) {
   ASSERT_TRUE(table.join(cd, table.regionOf(kD)));
   RegionEvents events;
   table.divide({{kA}, {kB, kC, kD}}, std::vector<int>{0, 50, 60, 10, 10}, events);
-  // b is most of the second part, and most of the first region: it goes on as that. The second region is no
-  // more, and a is new.
+  // b is the largest fragment of both the second part and the first region, so the part keeps that region.
+  // The second region ends, and a gets a new one.
   EXPECT_EQ(table.regionOf(kB), ab);
   EXPECT_THAT(table.fragmentsOf(ab), ElementsAre(kB, kC, kD));
   EXPECT_THAT(table.fragmentsOf(cd), IsEmpty());
@@ -167,12 +167,11 @@ TEST(RegionTable, DivideChangesNothing_WhenPartsAreTheRegions) {
   EXPECT_THAT(events.parted, IsEmpty());
 }
 
-/// Regions of all fragments, divided at random again and again.
-TEST(RegionTable, EventsDescribeEveryChange_OfRandomDivisions) {
+TEST(RegionTable, EventsDescribeEveryChange_InRandomDivisions) {
   constexpr std::uint32_t kFragments = 12;
   std::mt19937 random(3);
   RegionTable table = tableWith(kFragments);
-  std::set<RegionId> ever(table.regions().begin(), table.regions().end());
+  std::set<RegionId> used(table.regions().begin(), table.regions().end());
   for (int round = 0; round < 200; ++round) {
     const std::set<RegionId> before(table.regions().begin() + 1, table.regions().end());
     std::vector<std::vector<FragmentId>> parts(1 + random() % kFragments);
@@ -195,13 +194,13 @@ TEST(RegionTable, EventsDescribeEveryChange_OfRandomDivisions) {
     }
     std::set<RegionId> expected = before;
     for (const auto& [into, from] : events.joined) {
-      EXPECT_EQ(expected.erase(from), 1U) << "joined twice, or was not there";
+      EXPECT_EQ(expected.erase(from), 1U) << "joined twice, or did not exist";
       EXPECT_TRUE(after.contains(into));
     }
     for (const auto& [from, part] : events.parted) {
       EXPECT_TRUE(before.contains(from));
-      EXPECT_TRUE(after.contains(from)) << "what parts goes on";
-      EXPECT_TRUE(ever.insert(part).second) << "a number used before";
+      EXPECT_TRUE(after.contains(from)) << "the divided region continues";
+      EXPECT_TRUE(used.insert(part).second) << "a number used before";
       expected.insert(part);
     }
     EXPECT_EQ(after, expected);
@@ -216,10 +215,10 @@ TEST(RegionTable, ListsFragmentsWithAChangedRegion) {
   EXPECT_EQ(table.takeChanged(), (std::vector{a, b, c}));
   EXPECT_TRUE(table.takeChanged().empty());
   table.join(table.regionOf(a), table.regionOf(b));
-  EXPECT_EQ(table.takeChanged(), std::vector{b}) << "a and c are what they were";
+  EXPECT_EQ(table.takeChanged(), std::vector{b}) << "a and c are unchanged";
   table.free(b);
   table.free(c);
-  static_cast<void>(table.newFragment());  // takes one of the numbers again
+  static_cast<void>(table.newFragment());  // reuses one of the numbers
   const std::vector<FragmentId> changed = table.takeChanged();
   EXPECT_EQ(std::set<FragmentId>(changed.begin(), changed.end()), (std::set{b, c})) << "each once";
   EXPECT_EQ(changed.size(), 2U);
@@ -247,13 +246,13 @@ TEST(RegionTable, MovesFragments_WhenStillInTheirRegion) {
 TEST(RegionTable, LabeledRegionKeepsItsIdentity_WhenJoinedWithAKnownOne) {
   RegionTable table;
   const FragmentId large = table.newFragment(), small = table.newFragment();
-  const RegionId said = table.regionOf(small);
+  const RegionId labeled = table.regionOf(small);
   table.setKnown(table.regionOf(large), true);
-  table.say(said, UserLabel::thing);
+  table.say(labeled, UserLabel::thing);
   RegionEvents events;
   const std::vector<int> voxels{0, 1000, 10};
   table.divide({{large, small}}, voxels, events);
-  EXPECT_EQ(table.regionOf(large), said);
+  EXPECT_EQ(table.regionOf(large), labeled);
 }
 
 TEST(RegionTable, RestoresFreeNumbers) {
@@ -265,7 +264,7 @@ TEST(RegionTable, RestoresFreeNumbers) {
   again.restore(table.regions(), table.lastRegion());
   EXPECT_EQ(again.regions(), table.regions());
   EXPECT_EQ(again.newFragment(), FragmentId{2}) << "the lowest first, as before";
-  EXPECT_EQ(again.regionOf(FragmentId{2}), RegionId{6}) << "never one that was";
+  EXPECT_EQ(again.regionOf(FragmentId{2}), RegionId{6}) << "never a former one";
   EXPECT_EQ(again.newFragment(), FragmentId{4});
   EXPECT_EQ(again.newFragment(), FragmentId{6});
 }

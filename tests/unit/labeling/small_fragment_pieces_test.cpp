@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// A digit a pixel; '.' none.
+/// One digit per pixel; '.' is no fragment.
 std::vector<FragmentId> imageOf(const std::vector<std::string>& rows) {
   std::vector<FragmentId> image;
   for (const std::string& row : rows) {
@@ -48,7 +48,7 @@ TEST(SmallFragmentPieces, KeepsAWindingPiece) {
                               "1.1.1.1",  //
                               "111.111",  //
                               "2222222"});
-  EXPECT_EQ(withoutSmallPieces(image, 7, 14), image) << "15 pixels, met from two sides of each row";
+  EXPECT_EQ(withoutSmallPieces(image, 7, 14), image) << "15 pixels whose rows connect only through others";
 }
 
 TEST(SmallFragmentPieces, EqualsTheDefinition_InRandomImages) {

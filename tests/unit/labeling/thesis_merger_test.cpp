@@ -10,7 +10,7 @@ namespace {
 using test::idsOf;
 using test::segmentsOf;
 
-/// Merges one-row images into a table of fragments 1, 2, ... that are regions 1, 2, ...
+/// Merges one-row images into a table in which fragment i is region i.
 class ThesisMergerTest : public testing::Test {
  protected:
   RegionMerger::Outcome merge(const std::vector<std::uint32_t>& segments,
@@ -48,7 +48,7 @@ TEST_F(ThesisMergerTest, JoinsRegionsIntoTheLargest_WhenOneSegmentCoversThem) {
 }
 
 TEST_F(ThesisMergerTest, JoinsChainsOfOverlaps) {
-  // Regions 1 - 2 share segment 1, regions 2 - 3 share segment 2: all one.
+  // Regions 1 and 2 share segment 1, regions 2 and 3 segment 2, so all join.
   (void)merge({1, 1, 1, 2, 2, 2}, {1, 1, 2, 2, 3, 3});
   EXPECT_EQ(regionOf(1), regionOf(3));
 }
@@ -60,8 +60,8 @@ TEST_F(ThesisMergerTest, PixelsWithoutSegmentKeepTheirRegion) {
 TEST_F(ThesisMergerTest, CountsFragmentsOfOneRegionTogether) {
   (void)merge({1, 1}, {1, 2});
   ASSERT_EQ(regionOf(1), regionOf(2));
-  // Neither fragment alone is over 0.3 of segment 1 or has over 0.3 of itself in it; together they are 4
-  // of 10.
+  // Neither fragment alone covers more than 0.3 of segment 1 or has more than 0.3 of its pixels in it.
+  // Together they cover 4 of 10 pixels.
   const auto outcome = merge({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2},
                              {1, 1, 2, 2, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2});
   EXPECT_EQ(outcome.regions, std::vector(22, regionOf(1)));

@@ -24,7 +24,8 @@ TEST(Footprint, MeasuresDistancesOfRectanglesAndDiscs) {
   EXPECT_NEAR(distance(rectangle(0, 0, 1, 1, 45), rectangle(2, 2, 1, 1)), std::sqrt(2) - 1, 1e-12);
   EXPECT_LT(distance(rectangle(0, 0, 1, 1), rectangle(1.5, 0, 1, 1)), 0);
   EXPECT_LT(distance(disc(0, 0, 1), disc(1.5, 0, 1)), 0);
-  EXPECT_LT(distance(rectangle(0, 0, 1, 0.1), rectangle(0, 0, 0.1, 1)), 0) << "a cross: no corner is inside";
+  EXPECT_LT(distance(rectangle(0, 0, 1, 0.1), rectangle(0, 0, 0.1, 1)), 0)
+      << "a cross without a corner inside the other";
 }
 
 TEST(Footprint, ContainsAnother_WhenItLiesInside) {

@@ -36,9 +36,9 @@ Statistics statisticsOf(const cv::Mat& z) {
   return s;
 }
 
-class NoiseAtDepth : public testing::TestWithParam<float> {};
+class KinectNoiseAtDepthTest : public testing::TestWithParam<float> {};
 
-TEST_P(NoiseAtDepth, SpreadIsAxialNoisePlusQuantisation) {
+TEST_P(KinectNoiseAtDepthTest, SpreadIsAxialNoisePlusQuantisation) {
   const float z = GetParam();
   const KinectModel model;
   const Statistics s = statisticsOf(measureDepth(constantImage(z), constantImage(1), kK, model, 5, 0));
@@ -49,7 +49,7 @@ TEST_P(NoiseAtDepth, SpreadIsAxialNoisePlusQuantisation) {
   EXPECT_NEAR(s.mean, z, 0.2 * expected);
   EXPECT_EQ(s.count, 640 * 480) << "a wall seen straight on has no holes";
 }
-INSTANTIATE_TEST_SUITE_P(Depths, NoiseAtDepth, testing::Values(0.6F, 1.0F, 1.5F, 2.0F, 3.0F, 4.5F));
+INSTANTIATE_TEST_SUITE_P(Depths, KinectNoiseAtDepthTest, testing::Values(0.6F, 1.0F, 1.5F, 2.0F, 3.0F, 4.5F));
 
 TEST(KinectNoise, ReadingsLieOnTheDisparityGrid) {
   const KinectModel model;
@@ -62,7 +62,7 @@ TEST(KinectNoise, ReadingsLieOnTheDisparityGrid) {
   }
 }
 
-TEST(KinectNoise, ProjectorShadowLiesLeftOfNearThings) {
+TEST(KinectNoise, ProjectorShadowLiesLeftOfNearObjects) {
   cv::Mat z = constantImage(2.0F);
   z(cv::Rect(300, 150, 100, 200)).setTo(1.0F);
   const KinectModel model;
@@ -88,9 +88,9 @@ TEST(KinectNoise, EdgesAreRagged) {
   int displaced = 0;
   for (int v = 0; v < 480; ++v) {
     for (int u = 295; u < 305; ++u) {
-      const float there = measured.at<float>(v, u);
-      dropped += there == 0 ? 1 : 0;
-      displaced += there > 0 && std::abs(there - z.at<float>(v, u)) > 0.5F ? 1 : 0;
+      const float reading_m = measured.at<float>(v, u);
+      dropped += reading_m == 0 ? 1 : 0;
+      displaced += reading_m > 0 && std::abs(reading_m - z.at<float>(v, u)) > 0.5F ? 1 : 0;
     }
   }
   EXPECT_GT(dropped, 30);

@@ -27,7 +27,7 @@ std::vector<Eigen::Array2f> tintsOf(const SyntheticScene& scene) {
   return tints;
 }
 
-TEST(DrabColors, UseThreeTintsThatThingsAndFurnitureShare) {
+TEST(LowContrastColors, UseThreeTints_ForObjectsAndFurniture) {
   for (const std::uint32_t seed : {5U, 6U}) {
     SyntheticScene colorful = synthetic::makeRandomTabletopSet(seed).scene;
     EXPECT_GT(tintsOf(colorful).size(), 10U);
@@ -35,18 +35,18 @@ TEST(DrabColors, UseThreeTintsThatThingsAndFurnitureShare) {
     const std::vector<Eigen::Array2f> tints = tintsOf(low_contrast);
     EXPECT_EQ(tints.size(), 3U);
     for (const Eigen::Array2f& tint : tints) {
-      bool of_thing = false, of_furniture = false;
+      bool of_object = false, of_furniture = false;
       for (const SyntheticScene::Part& part : low_contrast.parts()) {
         if ((tintOf(part.material.main) - tint).abs().maxCoeff() > 1e-4F) continue;
         const bool is_object = low_contrast.instances()[part.instance - 1U].is_object;
-        (is_object ? of_thing : of_furniture) = true;
+        (is_object ? of_object : of_furniture) = true;
       }
-      EXPECT_TRUE(of_thing && of_furniture);
+      EXPECT_TRUE(of_object && of_furniture);
     }
   }
 }
 
-TEST(DrabColors, ChangeOnlyColors) {
+TEST(LowContrastColors, ChangeOnlyColors) {
   const auto frameOf = [](const char* scene) {
     SourceOptions options;
     options.start = 40;
@@ -57,8 +57,7 @@ TEST(DrabColors, ChangeOnlyColors) {
   EXPECT_EQ(cv::norm(colorful.depth, low_contrast.depth, cv::NORM_INF), 0);
   EXPECT_EQ(cv::norm(colorful.instances, low_contrast.instances, cv::NORM_INF), 0);
   EXPECT_GT(cv::norm(colorful.color, low_contrast.color, cv::NORM_INF), 50);
-  EXPECT_EQ(cv::norm(low_contrast.color, frameOf("room:3:drab").color, cv::NORM_INF), 0)
-      << "the same each time";
+  EXPECT_EQ(cv::norm(low_contrast.color, frameOf("room:3:drab").color, cv::NORM_INF), 0) << "deterministic";
 }
 
 }  // namespace

@@ -26,29 +26,30 @@ const Kind kRoom{"room", synthetic::makeRandomRoomSet, 300};
 const Kind kTabletop{"tabletop", synthetic::makeRandomTabletopSet, 240};
 
 /// Every kind of random scene with thirty seeds.
-class RandomScene : public testing::TestWithParam<std::tuple<Kind, std::uint32_t>> {
+class RandomSceneTest : public testing::TestWithParam<std::tuple<Kind, std::uint32_t>> {
  protected:
   const Kind kind = std::get<0>(GetParam());
   const std::uint32_t seed = std::get<1>(GetParam());
   const SceneRecipe set = kind.make(seed);
 };
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomScene,
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomSceneTest,
                          testing::Combine(testing::Values(kRoom, kTabletop), testing::Range(1U, 31U)),
                          [](const auto& test) {
                            return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
                          });
 
-/// Casts rays straight up and down, and skips things whose boxes they miss.
+/// Casts vertical rays; skips instances whose boxes they miss.
 class PlumbLines {
  public:
   explicit PlumbLines(const SyntheticScene& scene) {
     for (const SyntheticScene::Part& part : scene.parts()) {
       parts_.push_back({part.shape.get(), part.T_world_part.inverse(), part.instance});
     }
-    for (const InstanceName& who : scene.instances()) boxes_.push_back(scene.boundsOf(who.id));
+    for (const InstanceName& instance : scene.instances()) boxes_.push_back(scene.boundsOf(instance.id));
   }
 
-  /// Distance above `from` (sign 1) or below it (-1) of the instance, or of everything else; world frame.
+  /// Vertical distance in metres from `from` (world frame) up (sign 1) or down (-1) to the instance, or to
+  /// all others.
   [[nodiscard]] double measure(std::uint16_t instance, bool others, const Vector3d& from, double sign) const {
     double nearest = kNoHit;
     for (const Part& part : parts_) {
@@ -72,8 +73,9 @@ class PlumbLines {
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< boxes of the instances
 };
 
-/// Gap between the instance's lowest points and their support: 0 = it stands, more = it floats; infinite = no
-/// support, or it intersects the support. Upward rays find its lowest points, downward rays the support.
+/// Gap in metres between the lowest points of the instance and their support: 0 if it stands, more if it
+/// floats, infinite without support or if both intersect. Upward rays find the lowest points, downward rays
+/// the support.
 double gapBelow(const PlumbLines& lines, const Eigen::AlignedBox3d& box, std::uint16_t instance) {
   constexpr int kSteps = 40;
   std::vector<Vector3d> underside;
@@ -94,7 +96,7 @@ double gapBelow(const PlumbLines& lines, const Eigen::AlignedBox3d& box, std::ui
   double gap = kNoHit;
   for (Vector3d& point : underside) {
     if (point.z() > lowest + 0.0015) continue;
-    constexpr double kAbove_m = 0.003;  // a support above this is missed: the thing intersects it
+    constexpr double kAbove_m = 0.003;  // rays miss a support above this: both intersect
     point.z() += kAbove_m;
     const double down = lines.measure(instance, true, point, -1);
     gap = std::min(gap, std::abs(down - kAbove_m));
@@ -102,20 +104,20 @@ double gapBelow(const PlumbLines& lines, const Eigen::AlignedBox3d& box, std::ui
   return gap;
 }
 
-TEST_P(RandomScene, EveryObjectRestsOnSomething) {
+TEST_P(RandomSceneTest, EveryObjectHasASupport) {
   const PlumbLines lines(set.scene);
   int objects = 0;
-  for (const InstanceName& who : set.scene.instances()) {
-    if (!who.is_object) continue;
+  for (const InstanceName& instance : set.scene.instances()) {
+    if (!instance.is_object) continue;
     ++objects;
-    EXPECT_LT(gapBelow(lines, set.scene.boundsOf(who.id), who.id), 0.0025) << who.name;
+    EXPECT_LT(gapBelow(lines, set.scene.boundsOf(instance.id), instance.id), 0.0025) << instance.name;
   }
   EXPECT_GE(objects, 8);
 }
 
-TEST_P(RandomScene, ObjectsNeverIntersect) {
-  // Points below an object's surface are in no other box or ball: a straight ray that enters one earlier
-  // would leave it later.
+TEST_P(RandomSceneTest, ObjectsNeverIntersect) {
+  // A point is inside another solid if rays from all six axis directions hit it first. No object centre may
+  // be.
   const SyntheticScene& scene = set.scene;
   for (const SyntheticScene::Part& part : scene.parts()) {
     const Vector3d middle =
@@ -137,30 +139,30 @@ TEST_P(RandomScene, ObjectsNeverIntersect) {
   }
 }
 
-TEST_P(RandomScene, CameraKeepsItsDistanceAndHandSpeed) {
+TEST_P(RandomSceneTest, CameraMovesAtHandSpeedAwayFromSurfaces) {
   const synthetic::Trajectory trajectory(set.path, false, 0);
-  double way_m = 0;
+  double path_m = 0;
   for (int frame = 0; frame + 1 < kind.frames; ++frame) {
     const Eigen::Isometry3d here = trajectory.pose(frame / 30.0);
     const Eigen::Isometry3d step = here.inverse() * trajectory.pose((frame + 1) / 30.0);
-    way_m += step.translation().norm();
+    path_m += step.translation().norm();
     ASSERT_LT(step.translation().norm() * 30, 0.35) << "m/s at frame " << frame;
     ASSERT_LT(Eigen::AngleAxisd(step.linear()).angle() * 30, 25 * kRadiansPerDegree)
         << "rad/s at frame " << frame;
     if (frame % 5 != 0) continue;
-    for (int i = 0; i < 60; ++i) {  // no surface within 20 cm around it, so it is inside nothing
+    for (int i = 0; i < 60; ++i) {  // no surface within 20 cm, so the camera is in free space
       const double z = (i + 0.5) / 30 - 1;
-      const double around = 2.4 * i;
-      const double flat = std::sqrt(1 - z * z);
-      const Vector3d direction(flat * std::cos(around), flat * std::sin(around), z);
+      const double azimuth_rad = 2.4 * i;
+      const double level = std::sqrt(1 - z * z);
+      const Vector3d direction(level * std::cos(azimuth_rad), level * std::sin(azimuth_rad), z);
       const RayHit hit = set.scene.cast(here.translation(), direction);
       ASSERT_GT(hit.distance, 0.2) << "frame " << frame;
     }
   }
-  EXPECT_GT(way_m, 0.6);
+  EXPECT_GT(path_m, 0.6);
 }
 
-TEST_P(RandomScene, ViewsAreNearAndShowManyThings) {
+TEST_P(RandomSceneTest, ViewsAreNearAndShowManyInstances) {
   SyntheticOptions options;
   options.set = [this] { return kind.make(seed); };
   options.K = options.K.resizedTo(160, 120);
@@ -180,24 +182,25 @@ TEST_P(RandomScene, ViewsAreNearAndShowManyThings) {
     EXPECT_LT(cv::mean(middle)[0], 3000) << "frame " << read.frame.index;
     std::map<std::uint16_t, int> seen;
     for (const std::uint16_t id : cv::Mat_<std::uint16_t>(read.frame.instances)) ++seen[id];
-    const auto things =
+    const auto visible =
         std::count_if(seen.begin(), seen.end(), [](const auto& s) { return s.first != 0 && s.second > 40; });
-    EXPECT_GE(things, 5) << "frame " << read.frame.index;
+    EXPECT_GE(visible, 5) << "frame " << read.frame.index;
   }
 }
 
-TEST(RandomScenes, PlaceEightToTwentyThingsOnATable) {
+TEST(RandomScenes, PlaceEightToTwentyObjectsOnATable) {
   for (std::uint32_t seed = 1; seed <= 30; ++seed) {
     const SyntheticScene scene = synthetic::makeRandomTabletopSet(seed).scene;
     const Eigen::AlignedBox3d table = scene.boundsOf(scene.find("table"));
-    int things = 0;
-    for (const InstanceName& who : scene.instances()) {
-      const Eigen::AlignedBox3d box = scene.boundsOf(who.id);
+    int objects = 0;
+    for (const InstanceName& instance : scene.instances()) {
+      const Eigen::AlignedBox3d box = scene.boundsOf(instance.id);
       const Vector3d middle(box.center().x(), box.center().y(), table.center().z());
-      things += who.is_object && box.min().z() > table.max().z() - 0.001 && table.contains(middle) ? 1 : 0;
+      objects +=
+          instance.is_object && box.min().z() > table.max().z() - 0.001 && table.contains(middle) ? 1 : 0;
     }
-    EXPECT_GE(things, 8) << "seed " << seed;
-    EXPECT_LE(things, 20) << "seed " << seed;
+    EXPECT_GE(objects, 8) << "seed " << seed;
+    EXPECT_LE(objects, 20) << "seed " << seed;
   }
 }
 
@@ -243,7 +246,7 @@ TEST(RandomScenes, AcceptWordsAndSeedInAnyOrder) {
     far += difference < -1 || difference > 30 ? 1 : 0;
   }
   EXPECT_GT(bumped, 200000) << "pixels";
-  EXPECT_LT(far, 15000) << "pixels, at edges";
+  EXPECT_LT(far, 15000) << "pixels at edges";
 }
 
 }  // namespace

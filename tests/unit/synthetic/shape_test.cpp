@@ -13,11 +13,11 @@
 namespace scantrove::synthetic {
 namespace {
 
-/// Negative inside, positive outside; only sign and zero are used.
+/// Negative inside, positive outside. Only the sign and zeros matter.
 using Implicit = std::function<double(const Vec3&)>;
 
-/// Random rays around a shape: each hit lies on the surface with nothing solid in front, and its normal is
-/// the gradient of the implicit function. Rays without a hit cross nothing solid.
+/// Casts random rays at a shape. Each hit lies on the surface with free space in front, and its normal points
+/// along the gradient of the implicit function. Rays without a hit cross free space only.
 void expectExact(const Shape& shape, const Implicit& implicit, double tolerance_m) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -30,7 +30,7 @@ void expectExact(const Shape& shape, const Implicit& implicit, double tolerance_
     const double meters_per_t = ray.direction.norm();
     const double end = std::min(hit.t, 3.0);
     for (double t = 0; t < end - 2e-4 / meters_per_t; t += 1e-3 / meters_per_t) {
-      ASSERT_GT(implicit(ray.at(t)), -tolerance_m) << "ray " << i << " passes through matter at t = " << t;
+      ASSERT_GT(implicit(ray.at(t)), -tolerance_m) << "ray " << i << " passes through the solid at t = " << t;
     }
     if (hit.t == kNoHit) {
       continue;
@@ -42,7 +42,7 @@ void expectExact(const Shape& shape, const Implicit& implicit, double tolerance_
     const Vec3 normal = shape.describe(p, hit.part).normal;
     ASSERT_NEAR(normal.norm(), 1, 1e-9);
     const double h = 1e-4;
-    EXPECT_GT(implicit(p + h * normal), implicit(p - h * normal)) << "normals point out of the matter";
+    EXPECT_GT(implicit(p + h * normal), implicit(p - h * normal)) << "normals point outwards";
   }
   EXPECT_GT(hits, 300);
 }
@@ -146,7 +146,7 @@ TEST(SyntheticShape, ReachBoundsTheSurface) {
         if (hit.t < kNoHit) farthest = std::max(farthest, direction.dot(ray.at(hit.t)));
       }
       EXPECT_LT(farthest, shape->reach(direction) + 1e-5);
-      EXPECT_GT(farthest, shape->reach(direction) - 0.006) << "as near as so many rays come";
+      EXPECT_GT(farthest, shape->reach(direction) - 0.006) << "the accuracy of this many rays";
     }
   }
   const Torus half(0.1, 0.03, 0.0);
@@ -167,7 +167,7 @@ TEST(SyntheticShape, CurtainHangsInFolds) {
     nearest = std::min(nearest, point.y());
     farthest = std::max(farthest, point.y());
     const Vec3 normal = curtain.describe(point, hit.part).normal;
-    EXPECT_LT(normal.y(), 0) << "towards who looks";
+    EXPECT_LT(normal.y(), 0) << "towards the viewer";
     changes += normal.x() * before < 0 ? 1 : 0;
     before = normal.x();
   }
@@ -176,7 +176,7 @@ TEST(SyntheticShape, CurtainHangsInFolds) {
   EXPECT_EQ(curtain.intersect({{0, -1, 1.01}, {0, 1, 0}}, kNoHit).t, kNoHit);
 }
 
-/// Heights of the bumpy top of a box at z = 0.1, found from straight above.
+/// Height of the bumpy top of a box at z = 0.1; the ray comes from above.
 double heightAt(const BumpyShape& shape, double x, double y) {
   return 1 - shape.intersect({{x, y, 1}, {0, 0, -1}}, kNoHit).t;
 }
@@ -196,7 +196,7 @@ TEST(BumpyShape, HasBumpsOfTheRequestedHeightBelowTheSurface) {
       const double slope_y = (heightAt(shape, x, y + kStep) - heightAt(shape, x, y - kStep)) / (2 * kStep);
       const Vec3 expected = Vec3(-slope_x, -slope_y, 1).normalized();
       EXPECT_LT((normal - expected).norm(), 0.03 + (height > 0.1 - 1e-4 ? 0.3 : 0))
-          << "but where it is cut off";
+          << "less accurate where the surface is cut off";
     }
   }
   EXPECT_LE(highest, 0.1 + 1e-9);
@@ -204,7 +204,7 @@ TEST(BumpyShape, HasBumpsOfTheRequestedHeightBelowTheSurface) {
   EXPECT_LT(highest - lowest, 0.0055);
 }
 
-TEST(BumpyShape, IsTheSameFromEveryDirection) {
+TEST(BumpyShape, IsEqual_FromEveryDirection) {
   const BumpyShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
   std::mt19937 random(9);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -212,7 +212,7 @@ TEST(BumpyShape, IsTheSameFromEveryDirection) {
     const Vec3 from{uniform(random), uniform(random), 0.6 + 0.4 * uniform(random)};
     const Vec3 towards{0.4 * uniform(random), 0.4 * uniform(random), 0.1};
     const Ray ray{from, towards - from};
-    if (-ray.direction.normalized().z() < 0.35) continue;  // flatter than 20 degrees
+    if (-ray.direction.normalized().z() < 0.35) continue;  // shallower than 20 degrees
     const Vec3 point = ray.at(shape.intersect(ray, kNoHit).t);
     EXPECT_NEAR(point.z(), heightAt(shape, point.x(), point.y()), 0.0002);
   }

@@ -38,21 +38,21 @@ RgbdFrame frameAt(SyntheticOptions options, int index) {
   return read.frame;
 }
 
-synthetic::SceneRecipe makeARoom() { return synthetic::makeRandomRoomSet(4); }
+synthetic::SceneRecipe makeRandomRoom() { return synthetic::makeRandomRoomSet(4); }
 
 synthetic::SceneRecipe makeBumpyRoom() {
-  synthetic::SceneRecipe set = makeARoom();
+  synthetic::SceneRecipe set = makeRandomRoom();
   set.scene = synthetic::makeBumpy(std::move(set.scene), 4);
   return set;
 }
 
-class EveryScene : public testing::TestWithParam<MakeSet> {};
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
+class EverySceneTest : public testing::TestWithParam<MakeSet> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, EverySceneTest,
                          testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet,
-                                         &test::makeLBlockSet, &test::makeChairFloorSet, &makeARoom,
+                                         &test::makeLBlockSet, &test::makeChairFloorSet, &makeRandomRoom,
                                          &makeBumpyRoom));
 
-TEST_P(EveryScene, DepthAndInstancesMatchTheGeometry) {
+TEST_P(EverySceneTest, DepthAndInstancesMatchTheGeometry) {
   SyntheticOptions options = exactOptions(GetParam());
   options.stride = 49;
   const auto source = open(options);
@@ -76,7 +76,7 @@ TEST_P(EveryScene, DepthAndInstancesMatchTheGeometry) {
   }
 }
 
-TEST_P(EveryScene, FramesAgreeThroughTheirPoses) {
+TEST_P(EverySceneTest, FramesAgree_WhenTransformedByTheirPoses) {
   SyntheticOptions options = exactOptions(GetParam());
   options.K = options.K.resizedTo(320, 240);
   options.meters_per_unit = 0.0001F;
@@ -115,7 +115,7 @@ TEST_P(EveryScene, FramesAgreeThroughTheirPoses) {
   EXPECT_GT(same_instance, 0.995 * seen);
 }
 
-TEST_P(EveryScene, CameraMovesLikeAHand) {
+TEST_P(EverySceneTest, CameraMovesAtHandSpeed) {
   SyntheticOptions options = exactOptions(GetParam());
   const auto source = open(options);
   double path_m = 0;
@@ -124,14 +124,14 @@ TEST_P(EveryScene, CameraMovesLikeAHand) {
     EXPECT_LT(step.translation().norm() * 30, 0.45) << "m/s at frame " << i;
     EXPECT_LT(Eigen::AngleAxisd(step.linear()).angle() * 30, 32 * kDegree) << "rad/s at frame " << i;
     EXPECT_GT(step.translation().norm() + Eigen::AngleAxisd(step.linear()).angle(), 1e-6)
-        << "never quite still";
+        << "the camera never stops";
     path_m += step.translation().norm();
   }
   EXPECT_LT(path_m * 30 / *source->info().frame_count, 0.35) << "m/s on average";
   EXPECT_GT(path_m, 0.5);
 }
 
-TEST_P(EveryScene, NamesMatchTheMasks) {
+TEST_P(EverySceneTest, NamesMatchTheMasks) {
   const synthetic::SceneRecipe set = GetParam()();
   const std::vector<InstanceName>& names = set.scene.instances();
   ASSERT_FALSE(names.empty());
@@ -144,11 +144,11 @@ TEST_P(EveryScene, NamesMatchTheMasks) {
   EXPECT_EQ(different.size(), names.size());
 }
 
-class DemoScene : public testing::TestWithParam<MakeSet> {};
-INSTANTIATE_TEST_SUITE_P(Demos, DemoScene,
+class DemoSceneTest : public testing::TestWithParam<MakeSet> {};
+INSTANTIATE_TEST_SUITE_P(Demos, DemoSceneTest,
                          testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet));
 
-TEST_P(DemoScene, ShowsAtLeastTwelveObjectsAndSeveralNonConvex) {
+TEST_P(DemoSceneTest, ShowsAtLeastTwelveObjectsAndSeveralNonConvex) {
   SyntheticOptions options = exactOptions(GetParam());
   options.stride = 25;
   const auto source = open(options);
@@ -190,11 +190,11 @@ std::vector<double> piecesOf(const RgbdFrame& frame, std::uint16_t instance) {
   return areas;
 }
 
-class ChairOnFloor : public testing::TestWithParam<MakeSet> {};
-INSTANTIATE_TEST_SUITE_P(Scenes, ChairOnFloor,
+class ChairOnFloorTest : public testing::TestWithParam<MakeSet> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, ChairOnFloorTest,
                          testing::Values(&synthetic::makeRoomSet, &test::makeChairFloorSet));
 
-TEST_P(ChairOnFloor, SplitsTheFloorOnlyAtFirst) {
+TEST_P(ChairOnFloorTest, SplitsTheFloor_OnlyInFirstFrames) {
   SyntheticOptions options = exactOptions(GetParam());
   options.K = options.K.resizedTo(320, 240);
   for (const int frame : {0, 5, 10}) {
@@ -208,14 +208,14 @@ TEST_P(ChairOnFloor, SplitsTheFloorOnlyAtFirst) {
   EXPECT_TRUE(later.size() == 1 || later[1] < 0.02);
 }
 
-TEST(LBlock, ShowsItsConnectingSideOnlyLater) {
+TEST(LBlock, ShowsItsConnectingSide_OnlyInLaterFrames) {
   SyntheticOptions options = exactOptions(&test::makeLBlockSet);
   options.stride = 1;
   const auto source = open(options);
   const std::uint16_t block = source->scene().find("L block");
   ASSERT_NE(block, 0);
   const Intrinsics& K = options.K;
-  /// Pixels of the block, and those whose normal is that of its side (+-y).
+  /// Numbers of pixels of the block and of its sides (normal +-y).
   const auto count = [&](int frame) {
     const Eigen::Isometry3d T = source->pose(frame);
     std::pair<int, int> pixels{0, 0};
@@ -251,7 +251,7 @@ TEST(SyntheticSource, ReturnsEqualFramesOnly_WhenSeedsAreEqual) {
   EXPECT_FALSE(a.T_world_camera->matrix() == c.T_world_camera->matrix());
 }
 
-// The separate camera's colour at a surface point equals the colour at the depth camera.
+// A surface point has the same colour in both cameras.
 TEST(SyntheticSource, RendersColorFromItsCamera_WhenItIsSeparate) {
   SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.color = true;
@@ -282,12 +282,14 @@ TEST(SyntheticSource, RendersColorFromItsCamera_WhenItIsSeparate) {
   cv::transform(off, off, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
   const int visible = cv::countNonZero(seen.hidden == 0);
   EXPECT_GT(visible, 0.8 * static_cast<double>(seen.hidden.total()));
-  EXPECT_LT(visible, 0.995 * static_cast<double>(seen.hidden.total())) << "0.08 m aside, things hide others";
+  EXPECT_LT(visible, 0.995 * static_cast<double>(seen.hidden.total()))
+      << "from 0.08 m to the side, objects occlude others";
   EXPECT_LT(cv::countNonZero((off > 20) & (seen.hidden == 0)), 0.04 * visible);
   cv::resize(frame.color, shown, straight.color.size(), 0, 0, cv::INTER_AREA);
   cv::absdiff(shown, straight.color, off);
   cv::transform(off, off, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
-  EXPECT_GT(cv::countNonZero(off > 20), 0.12 * static_cast<double>(seen.hidden.total())) << "it matters here";
+  EXPECT_GT(cv::countNonZero(off > 20), 0.12 * static_cast<double>(seen.hidden.total()))
+      << "without registration the colours differ";
 }
 
 TEST(SyntheticSource, UsesTheSeed_WhenTheNameEndsInANumber) {
@@ -299,7 +301,7 @@ TEST(SyntheticSource, UsesTheSeed_WhenTheNameEndsInANumber) {
   EXPECT_EQ(cv::countNonZero((*by_name)->next().frame.depth != frameAt(options, 0).depth), 0);
 }
 
-TEST(SyntheticSource, NoiseKeepsMostReadingsAndStaysNearTheTruth) {
+TEST(SyntheticSource, NoiseKeepsMostReadingsNearTheTruth) {
   SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.K = options.K.resizedTo(640, 480);
   const RgbdFrame exact = frameAt(options, 20);
@@ -316,7 +318,7 @@ TEST(SyntheticSource, NoiseKeepsMostReadingsAndStaysNearTheTruth) {
     }
   }
   EXPECT_GT(readings, 0.85 * 640 * 480);
-  EXPECT_LT(readings, 0.99 * 640 * 480) << "there are shadows and dropouts";
+  EXPECT_LT(readings, 0.99 * 640 * 480) << "shadows and dropouts have no readings";
   EXPECT_GT(close, 0.98 * readings);
 }
 
@@ -371,14 +373,14 @@ TEST(SyntheticSource, Fails_WhenOptionsAreInvalid) {
   }
   SourceOptions late;
   late.start = 300;
-  const auto nothing = makeSyntheticSource("tabletop", late);
-  ASSERT_FALSE(nothing);
-  EXPECT_THAT(nothing.error().message(), HasSubstr("300 frames"));
-  SourceOptions blind;
-  blind.intrinsics = Intrinsics{0, 525, 320, 240, 640, 480};
-  const auto unseen = makeSyntheticSource("tabletop", blind);
-  ASSERT_FALSE(unseen);
-  EXPECT_THAT(unseen.error().message(), HasSubstr("fx 0"));
+  const auto no_frames = makeSyntheticSource("tabletop", late);
+  ASSERT_FALSE(no_frames);
+  EXPECT_THAT(no_frames.error().message(), HasSubstr("300 frames"));
+  SourceOptions invalid_camera;
+  invalid_camera.intrinsics = Intrinsics{0, 525, 320, 240, 640, 480};
+  const auto refused = makeSyntheticSource("tabletop", invalid_camera);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("fx 0"));
 }
 
 }  // namespace

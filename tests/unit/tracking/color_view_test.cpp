@@ -12,7 +12,7 @@ namespace {
 const Intrinsics kDepth{525, 525, 319.5, 239.5, 640, 480};
 const Intrinsics kWorking = kDepth.resizedTo(320, 240);
 
-/// Random squares: corners everywhere.
+/// An image of random squares with many corners.
 RgbdFrame patchwork() {
   RgbdFrame frame;
   cv::Mat patches(24, 32, CV_8UC3);
@@ -21,7 +21,8 @@ RgbdFrame patchwork() {
   return frame;
 }
 
-/// A plane z = 2 + slope * x before a camera at `T_world_depth`, nearer by `step_m` in the left half.
+/// Vertices (world frame) of a plane z = 2 + slope * x in the frame of a camera at `T_world_depth`; the left
+/// half is `step_m` nearer.
 std::vector<cl_float4> plane(const Eigen::Isometry3d& T_world_depth, float slope, float step_m) {
   std::vector<cl_float4> vertices;
   for (int v = 0; v < kWorking.height; ++v) {
@@ -36,7 +37,7 @@ std::vector<cl_float4> plane(const Eigen::Isometry3d& T_world_depth, float slope
   return vertices;
 }
 
-TEST(ColorView, LandmarksLieOnTheSurfaceWhereTheFeaturesAreSeen) {
+TEST(LandmarksOf, PlacesFeaturesOnTheSurface) {
   RgbdFrame frame = patchwork();
   FeatureFinder finder;
   for (const bool is_registered : {true, false}) {
@@ -50,13 +51,13 @@ TEST(ColorView, LandmarksLieOnTheSurfaceWhereTheFeaturesAreSeen) {
     ASSERT_EQ(landmarks.descriptors.rows, static_cast<int>(landmarks.points_world.size()));
     for (const cv::Point3f& point : landmarks.points_world) {
       const Eigen::Vector3d p = T.inverse() * Eigen::Vector3f(point.x, point.y, point.z).cast<double>();
-      // A cell of two pixels of a plane this steep: 2 px * 0.3 * 2 m / 525.
+      // Two pixels on this slope differ by 2 px * 0.3 * 2 m / 525.
       EXPECT_NEAR(p.z(), 2 + 0.3 * p.x(), 0.004);
     }
   }
 }
 
-TEST(ColorView, WhatIsSeenAtAnOutlineIsNotKnown) {
+TEST(LandmarksOf, SkipsFeaturesAtOutlines) {
   FeatureFinder finder;
   const ColorView view = finder.find(grayViewOf(patchwork(), kDepth));
   const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -65,15 +66,15 @@ TEST(ColorView, WhatIsSeenAtAnOutlineIsNotKnown) {
   for (const cv::Point3f& point : landmarks.points_world) EXPECT_GT(std::abs(point.x / point.z), 1.0 / 525);
 }
 
-TEST(ColorView, NothingIsFoundWhereNothingIsSeen) {
+TEST(FeatureFinder, FindsNothing_WithoutImageOrSurface) {
   FeatureFinder finder;
   EXPECT_TRUE(finder.find(grayViewOf(RgbdFrame{}, kDepth)).pixels.empty());
   RgbdFrame dark;
   dark.color = cv::Mat::zeros(480, 640, CV_8UC3);
   EXPECT_TRUE(finder.find(grayViewOf(dark, kDepth)).pixels.empty());
   const ColorView view = finder.find(grayViewOf(patchwork(), kDepth));
-  const std::vector<cl_float4> nothing(static_cast<std::size_t>(kWorking.pixels()), cl_float4{});
-  EXPECT_TRUE(landmarksOf(view, Eigen::Isometry3d::Identity(), nothing).points_world.empty());
+  const std::vector<cl_float4> no_surface(static_cast<std::size_t>(kWorking.pixels()), cl_float4{});
+  EXPECT_TRUE(landmarksOf(view, Eigen::Isometry3d::Identity(), no_surface).points_world.empty());
 }
 
 }  // namespace

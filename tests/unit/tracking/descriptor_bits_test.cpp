@@ -17,7 +17,7 @@ cv::Mat randomDescriptors(int count, int most, std::uint64_t seed) {
   return rows;
 }
 
-TEST(DescriptorBits, AreCountedOneByOne) {
+TEST(CountDifferentBits, EqualsTheBitwiseCount) {
   const cv::Mat rows = randomDescriptors(50, 256, 7);
   const std::vector<Descriptor> descriptors = descriptorsOf(rows);
   ASSERT_EQ(descriptors.size(), 50U);
@@ -34,13 +34,13 @@ TEST(DescriptorBits, AreCountedOneByOne) {
   EXPECT_EQ(bits[3], 0);
 }
 
-TEST(DescriptorBits, OfNothingAreNone) {
+TEST(DescriptorsOf, IsEmpty_WithoutRows) {
   EXPECT_TRUE(descriptorsOf(cv::Mat()).empty());
   countDifferentBits(Descriptor{}, {}, {});
 }
 
-TEST(DescriptorBits, MatchAsOpenCvDoes) {
-  // Bytes of 0 to 2 only, so that many pairs are equally alike: they differ in at most 64 of 256 bits, too.
+TEST(MatchAll, EqualsOpenCv_WithManyTies) {
+  // Bytes of 0 to 2 give many ties, and differences of at most 64 of 256 bits.
   for (const std::uint64_t seed : {1, 2, 3}) {
     const cv::Mat features = randomDescriptors(300, 3, seed);
     Landmarks landmarks;

@@ -22,13 +22,13 @@ cv::Mat withBitsFlipped(const cv::Mat& row, int bits) {
   return other;
 }
 
-/// Landmarks in sight of a camera, and what it sees of them `shift_px` beside.
-struct Sight {
+/// Landmarks in view of a camera, and its features, shifted horizontally by `shift_px`.
+struct VisibleLandmarks {
   ColorView view;
   Landmarks landmarks;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 
-  explicit Sight(int count, float shift_px = 0) {
+  explicit VisibleLandmarks(int count, float shift_px = 0) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> u(60, 580), v(60, 420), z(0.8F, 3);
     T_world_camera.translate(Eigen::Vector3d(0.5, -1, 2))
@@ -52,71 +52,74 @@ struct Sight {
   }
 };
 
-TEST(FeatureMatching, FindsEveryPartner) {
-  const Sight sight(200, 20);
-  for (const auto& matches : {matchAll(sight.view.descriptors, sight.landmarks),
-                              matchNear(sight.view, sight.landmarks, sight.T_world_camera)}) {
+TEST(FeatureMatching, FindsEveryPair) {
+  const VisibleLandmarks scene(200, 20);
+  for (const auto& matches : {matchAll(scene.view.descriptors, scene.landmarks),
+                              matchNear(scene.view, scene.landmarks, scene.T_world_camera)}) {
     ASSERT_EQ(matches.size(), 200U);
     for (const FeatureMatch& match : matches) EXPECT_EQ(match.feature, match.landmark);
   }
 }
 
-TEST(FeatureMatching, NearMeansNear) {
+TEST(FeatureMatching, MatchNearIgnoresAFeature_WhenFartherThanItsRadius) {
   // 0.08 of 640 pixels is 51.2.
-  EXPECT_EQ(matchNear(Sight(50, 50).view, Sight(50).landmarks, Sight(50).T_world_camera).size(), 50U);
-  const Sight far(1, 53);
+  EXPECT_EQ(matchNear(VisibleLandmarks(50, 50).view, VisibleLandmarks(50).landmarks,
+                      VisibleLandmarks(50).T_world_camera)
+                .size(),
+            50U);
+  const VisibleLandmarks far(1, 53);
   EXPECT_TRUE(matchNear(far.view, far.landmarks, far.T_world_camera).empty());
   EXPECT_EQ(matchAll(far.view.descriptors, far.landmarks).size(), 1U);
 }
 
-TEST(FeatureMatching, WhatLooksAlikeElsewhereDoesNotConfuse) {
-  // A second feature, far away, looks even more like the landmark than its own.
-  Sight sight(30);
-  const cv::Mat descriptor = sight.landmarks.descriptors.row(4).clone();
-  withBitsFlipped(descriptor, 10).copyTo(sight.view.descriptors.row(4));
-  const cv::Point2f own = sight.view.pixels[4];
-  sight.view.pixels.emplace_back(own.x > 320 ? own.x - 200 : own.x + 200, own.y);
-  sight.view.descriptors.push_back(descriptor);
-  const auto partnerOf4 = [](const std::vector<FeatureMatch>& matches) {
+TEST(FeatureMatching, MatchNearIgnoresASimilarFeature_WhenFarAway) {
+  // A distant second feature resembles the landmark more than its own feature.
+  VisibleLandmarks scene(30);
+  const cv::Mat descriptor = scene.landmarks.descriptors.row(4).clone();
+  withBitsFlipped(descriptor, 10).copyTo(scene.view.descriptors.row(4));
+  const cv::Point2f original = scene.view.pixels[4];
+  scene.view.pixels.emplace_back(original.x > 320 ? original.x - 200 : original.x + 200, original.y);
+  scene.view.descriptors.push_back(descriptor);
+  const auto featureOfLandmark4 = [](const std::vector<FeatureMatch>& matches) {
     for (const FeatureMatch& match : matches) {
       if (match.landmark == 4) return match.feature;
     }
     return -1;
   };
-  EXPECT_EQ(partnerOf4(matchAll(sight.view.descriptors, sight.landmarks)), 30);
-  EXPECT_EQ(partnerOf4(matchNear(sight.view, sight.landmarks, sight.T_world_camera)), 4);
+  EXPECT_EQ(featureOfLandmark4(matchAll(scene.view.descriptors, scene.landmarks)), 30);
+  EXPECT_EQ(featureOfLandmark4(matchNear(scene.view, scene.landmarks, scene.T_world_camera)), 4);
 }
 
-TEST(FeatureMatching, PartnersAreMutualAndAlike) {
-  Sight sight(1);
-  const cv::Mat descriptor = sight.landmarks.descriptors.row(0).clone();
-  // Two features at one place: the landmark takes the one that is more like it, and the other has none.
-  sight.view.pixels.push_back(sight.view.pixels[0]);
-  sight.view.descriptors.push_back(withBitsFlipped(descriptor, 5));
+TEST(FeatureMatching, PairsAreMutualAndSimilar) {
+  VisibleLandmarks scene(1);
+  const cv::Mat descriptor = scene.landmarks.descriptors.row(0).clone();
+  // Of two features at one pixel, the landmark matches the more similar one; the other has no match.
+  scene.view.pixels.push_back(scene.view.pixels[0]);
+  scene.view.descriptors.push_back(withBitsFlipped(descriptor, 5));
   for (const int bits : {64, 65}) {
-    withBitsFlipped(descriptor, bits).copyTo(sight.view.descriptors.row(0));
-    for (const auto& matches : {matchAll(sight.view.descriptors, sight.landmarks),
-                                matchNear(sight.view, sight.landmarks, sight.T_world_camera)}) {
+    withBitsFlipped(descriptor, bits).copyTo(scene.view.descriptors.row(0));
+    for (const auto& matches : {matchAll(scene.view.descriptors, scene.landmarks),
+                                matchNear(scene.view, scene.landmarks, scene.T_world_camera)}) {
       ASSERT_EQ(matches.size(), 1U);
       EXPECT_EQ(matches[0].feature, 1);
     }
   }
-  sight.view.pixels.pop_back();
-  sight.view.descriptors.pop_back(1);
-  EXPECT_TRUE(matchNear(sight.view, sight.landmarks, sight.T_world_camera).empty()) << "65 of 256 differ";
-  withBitsFlipped(descriptor, 64).copyTo(sight.view.descriptors.row(0));
-  EXPECT_EQ(matchNear(sight.view, sight.landmarks, sight.T_world_camera).size(), 1U) << "64 of 256 differ";
+  scene.view.pixels.pop_back();
+  scene.view.descriptors.pop_back(1);
+  EXPECT_TRUE(matchNear(scene.view, scene.landmarks, scene.T_world_camera).empty()) << "65 of 256 differ";
+  withBitsFlipped(descriptor, 64).copyTo(scene.view.descriptors.row(0));
+  EXPECT_EQ(matchNear(scene.view, scene.landmarks, scene.T_world_camera).size(), 1U) << "64 of 256 differ";
 }
 
-TEST(FeatureMatching, WithNothingThereIsNothing) {
-  const Sight sight(5);
-  EXPECT_TRUE(matchNear({}, sight.landmarks, sight.T_world_camera).empty());
-  EXPECT_TRUE(matchAll({}, sight.landmarks).empty());
-  EXPECT_TRUE(matchNear(sight.view, {}, sight.T_world_camera).empty());
-  EXPECT_TRUE(matchAll(sight.view.descriptors, {}).empty());
-  // Landmarks behind the camera are not in sight.
-  const Eigen::Isometry3d turned = sight.T_world_camera * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY());
-  EXPECT_TRUE(matchNear(sight.view, sight.landmarks, turned).empty());
+TEST(FeatureMatching, FindsNothing_WithoutFeaturesOrLandmarksInView) {
+  const VisibleLandmarks scene(5);
+  EXPECT_TRUE(matchNear({}, scene.landmarks, scene.T_world_camera).empty());
+  EXPECT_TRUE(matchAll({}, scene.landmarks).empty());
+  EXPECT_TRUE(matchNear(scene.view, {}, scene.T_world_camera).empty());
+  EXPECT_TRUE(matchAll(scene.view.descriptors, {}).empty());
+  // Landmarks behind the camera are not in view.
+  const Eigen::Isometry3d turned = scene.T_world_camera * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY());
+  EXPECT_TRUE(matchNear(scene.view, scene.landmarks, turned).empty());
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 const Intrinsics kWallCamera{525, 525, 319.5, 239.5, 640, 480};
 constexpr double kWall_m = 1.5;
 
-/// A wall z = 1.5 m with a pattern of so much contrast (grey levels) as a camera there sees it.
+/// The view of a wall z = 1.5 m whose pattern has `contrast` grey levels.
 GrayView wallFrom(const Eigen::Isometry3d& T_world_color, double contrast) {
   cv::Mat pattern(120, 160, CV_32FC1);
   cv::RNG(11).fill(pattern, cv::RNG::NORMAL, 0, 1);
@@ -57,8 +57,8 @@ std::vector<cl_float4> wallSurface(const Eigen::Isometry3d& T_world_color) {
   return vertices;
 }
 
-/// With 8 grey levels of contrast beside 1.8 of noise the faint pattern has few corners that FAST sees.
-TEST(FollowedCorners, AreFoundToAFractionOfAPixelOnAFaintPatternAndOnAClearOne) {
+/// The faint pattern (8 grey levels of contrast, 1.8 of noise) has few FAST corners.
+TEST(FollowCorners, IsAccurateToAFractionOfAPixel_AtLowAndHighContrast) {
   for (const double contrast : {8, 45}) {
     SCOPED_TRACE(contrast);
     const Eigen::Isometry3d before = pose(0, 0, 0, 0, 0, 0);
@@ -73,7 +73,7 @@ TEST(FollowedCorners, AreFoundToAFractionOfAPixelOnAFaintPatternAndOnAClearOne) 
   }
 }
 
-TEST(FollowedCorners, AnotherPictureHasNone) {
+TEST(FollowCorners, FindsFewOrNone_WhenTheImageDiffers) {
   const Eigen::Isometry3d here = pose(0, 0, 0, 0, 0, 0);
   const SurfaceInView surface(kWallCamera, here, wallSurface(here));
   const GrayView last = wallFrom(here, 8);

@@ -16,7 +16,7 @@ struct Pair {
   double residual;
 };
 
-/// The sums of the kernel over `pairs` about `centre`, in `groups` groups.
+/// The sums that the kernel computes for `pairs` about `center`, in `groups` groups.
 std::vector<float> sumsOf(const std::vector<Pair>& pairs, const Eigen::Vector3d& center, std::size_t groups) {
   std::vector<double> sums(groups * ICP_SUMS, 0.0);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -49,7 +49,7 @@ std::vector<Pair> cloud(const Eigen::Isometry3d& motion, bool is_flat) {
   return pairs;
 }
 
-TEST(IcpSystem, SolvesForTheMotionAboutAnyCenter) {
+TEST(IcpSystem, FindsTheMotion_AboutAnyCenter) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.linear() = Eigen::AngleAxisd(0.001, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   motion.translation() << 0.002, -0.001, 0.003;
@@ -65,7 +65,7 @@ TEST(IcpSystem, SolvesForTheMotionAboutAnyCenter) {
   }
 }
 
-TEST(IcpSystem, APlaneDeterminesThreeDirectionsOnly) {
+TEST(IcpSystem, LeavesThreeDirectionsFree_OnAPlane) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.translation() << 0.02, 0.03, 0.004;
   const IcpSystem system =
@@ -76,11 +76,11 @@ TEST(IcpSystem, APlaneDeterminesThreeDirectionsOnly) {
   EXPECT_LT((step.motion.translation() - Eigen::Vector3d(0, 0, 0.004)).norm(), 1e-5);
 }
 
-TEST(IcpSystem, NothingAndNonsenseGiveNoMotion) {
+TEST(IcpSystem, GivesNoMotion_WhenSumsAreZeroOrNotFinite) {
   std::vector<float> sums(ICP_SUMS, 0.0F);
-  const IcpStep nothing = solveIcp(IcpSystem::fromSums(sums, Eigen::Vector3d::Zero()), 0.004);
-  EXPECT_FALSE(nothing.finite);
-  EXPECT_TRUE(nothing.motion.isApprox(Eigen::Isometry3d::Identity()));
+  const IcpStep empty = solveIcp(IcpSystem::fromSums(sums, Eigen::Vector3d::Zero()), 0.004);
+  EXPECT_FALSE(empty.finite);
+  EXPECT_TRUE(empty.motion.isApprox(Eigen::Isometry3d::Identity()));
 
   sums = sumsOf(cloud(Eigen::Isometry3d::Identity(), false), Eigen::Vector3d::Zero(), 1);
   sums[9] = std::numeric_limits<float>::quiet_NaN();

@@ -11,7 +11,7 @@ namespace {
 
 const Intrinsics kColorCamera{525, 525, 319.5, 239.5, 640, 480};
 
-/// Points in a room with a descriptor each, as different as random bits are.
+/// Random points in a room with random descriptors.
 Landmarks randomLandmarks(int count, std::uint64_t seed) {
   cv::RNG random(seed);
   Landmarks landmarks;
@@ -23,7 +23,7 @@ Landmarks randomLandmarks(int count, std::uint64_t seed) {
   return landmarks;
 }
 
-/// What a camera there sees of them, a pixel off by `noise_px`, with some bits of the descriptors changed.
+/// The view of a camera at `T_world_depth`, with pixel noise and some changed descriptor bits.
 ColorView viewOf(const Landmarks& landmarks, const Eigen::Isometry3d& T_world_depth,
                  const Eigen::Isometry3d& T_color_depth, double noise_px) {
   cv::RNG random(3);
@@ -58,7 +58,7 @@ void expectNear(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth, 
   EXPECT_LT(Eigen::AngleAxisd(error.linear()).angle() / kDegree, far_deg);
 }
 
-TEST(LandmarkPose, IsThatOfTheDepthCameraBesideTheColorCamera) {
+TEST(Locate, GivesThePoseOfTheDepthCamera) {
   const Landmarks landmarks = randomLandmarks(300, 1);
   const Eigen::Isometry3d T_color_depth = pose(1, 2, 0, -0.025, 0.002, 0.001);
   for (const Eigen::Isometry3d& truth : {pose(0, 0, 0, 0, 0, 0), pose(10, -20, 15, 0.3, 0.1, -0.2)}) {
@@ -70,12 +70,12 @@ TEST(LandmarkPose, IsThatOfTheDepthCameraBesideTheColorCamera) {
   }
 }
 
-TEST(LandmarkPose, IsFoundAmongTwiceAsManyWrongMatches) {
+TEST(Locate, FindsThePose_WithTwiceAsManyWrongMatches) {
   Landmarks landmarks = randomLandmarks(450, 2);
   const Eigen::Isometry3d truth = pose(5, 10, 0, 0.1, 0, 0.2);
   const ColorView view = viewOf(landmarks, truth, Eigen::Isometry3d::Identity(), 0.5);
   cv::RNG random(4);
-  for (std::size_t i = 0; i < landmarks.points_world.size(); ++i) {  // two of three have gone somewhere else
+  for (std::size_t i = 0; i < landmarks.points_world.size(); ++i) {  // two of three are displaced
     if (i % 3 != 0) landmarks.points_world[i].x += random.uniform(0.3F, 2.0F);
   }
   const auto found = locate(view, landmarks);
@@ -83,7 +83,7 @@ TEST(LandmarkPose, IsFoundAmongTwiceAsManyWrongMatches) {
   expectNear(found->T_world_camera, truth, 0.01, 0.3);
 }
 
-TEST(LandmarkPose, OtherLandmarksAreNotTakenForThese) {
+TEST(Locate, FindsNothing_WithOtherLandmarks) {
   const ColorView view =
       viewOf(randomLandmarks(500, 1), pose(0, 0, 0, 0, 0, 0), Eigen::Isometry3d::Identity(), 0.5);
   EXPECT_FALSE(locate(view, randomLandmarks(500, 9)));
@@ -91,7 +91,7 @@ TEST(LandmarkPose, OtherLandmarksAreNotTakenForThese) {
   EXPECT_FALSE(locate(ColorView{}, randomLandmarks(500, 9)));
 }
 
-TEST(LandmarkPose, SameInputSamePose) {
+TEST(Locate, IsDeterministic) {
   const Landmarks landmarks = randomLandmarks(300, 1);
   const ColorView view = viewOf(landmarks, pose(3, 4, 5, 0.1, 0, 0), Eigen::Isometry3d::Identity(), 1);
   const auto first = locate(view, landmarks);

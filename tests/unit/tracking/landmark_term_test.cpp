@@ -9,7 +9,7 @@
 namespace scantrove::test {
 namespace {
 
-/// Landmarks in a room as a camera at `T_world_depth` sees them.
+/// Landmarks in a room, observed by a camera at `T_world_depth`.
 SeenLandmarks seenFrom(const Eigen::Isometry3d& T_world_depth) {
   cv::RNG random(5);
   SeenLandmarks seen;
@@ -25,18 +25,18 @@ SeenLandmarks seenFrom(const Eigen::Isometry3d& T_world_depth) {
   return seen;
 }
 
-TEST(SeenLandmarks, SayHowFarOffAPoseIs) {
+TEST(SeenLandmarks, ErrorMeasuresTheDeviationOfAPose) {
   const Eigen::Isometry3d truth = pose(5, 10, -3, 0.1, 0.2, -0.3);
   SeenLandmarks seen = seenFrom(truth);
   EXPECT_NEAR(seen.errorPx(truth), 0, 1e-9);
-  // A turn of 1 degree moves what is straight ahead by f tan(1 degree).
+  // A turn of 1 degree moves the image centre by f tan(1 degree).
   EXPECT_NEAR(seen.errorPx(truth * pose(0, 1, 0, 0, 0, 0)), 520 * std::tan(kDegree), 1.5);
   for (std::size_t i = 0; i < 20; ++i) seen.pixels[i].x() += 100;  // a third is wrong
   EXPECT_LT(seen.errorPx(truth), 1e-9);
   EXPECT_FALSE(SeenLandmarks{}.errorPx(truth) < 1e6);
 }
 
-TEST(SeenLandmarks, CellsAreThoseThatHoldOne) {
+TEST(SeenLandmarks, CellsCountsOccupiedCells) {
   SeenLandmarks seen;
   seen.K = {520, 520, 320, 240, 640, 480};
   EXPECT_EQ(seen.cells(), 0);
@@ -44,8 +44,8 @@ TEST(SeenLandmarks, CellsAreThoseThatHoldOne) {
   EXPECT_EQ(seen.cells(), 3);
 }
 
-// Gauss-Newton on the term alone must find the pose back: wrong signs or derivatives would not.
-TEST(LandmarkTerm, LeadsToThePoseThatTheLandmarksWereSeenFrom) {
+// Gauss-Newton on this term alone converges only with correct signs and derivatives.
+TEST(LandmarkTerm, ConvergesToTheTruePose) {
   const Eigen::Isometry3d truth = pose(5, 10, -3, 0.1, 0.2, -0.3);
   const SeenLandmarks seen = seenFrom(truth);
   Eigen::Isometry3d T = truth * pose(2, -3, 1, 0.05, -0.04, 0.06);
@@ -66,7 +66,7 @@ TEST(LandmarkTerm, LeadsToThePoseThatTheLandmarksWereSeenFrom) {
   EXPECT_LT((T.matrix() - truth.matrix()).norm(), 1e-6);
 }
 
-// A pixel that is twice as tall tells half as much, as an error of a pixel is as likely in both directions.
+// An error of one pixel is equally likely in both directions, so a pixel of twice the height weighs half.
 TEST(LandmarkTerm, WeighsRowsByTheirOwnFocalLength) {
   SeenLandmarks seen;
   seen.K = {500, 250, 320, 120, 640, 240};

@@ -7,7 +7,7 @@
 namespace scantrove::test {
 namespace {
 
-TEST(MotionPrediction, GoesOnAtTheDampedSpeed) {
+TEST(PredictPose, ContinuesAtTheDampedSpeed) {
   const Eigen::Isometry3d before = pose(1, 2, 3, 0.5, 0.1, 2);
   const Eigen::Isometry3d last = before * pose(0, 2, 0, 0.1, 0, 0);
   const Eigen::Isometry3d motion = last.inverse() * predictPose(last, before, 0.5);

@@ -9,7 +9,7 @@ using enum TrackingState;
 
 constexpr double kDepthNoise_m = 0.0015;
 
-/// What a good pose of a 320 x 240 image leaves behind.
+/// The ICP outcome of a good pose for a 320 x 240 image.
 IcpOutcome goodOutcome() {
   IcpOutcome outcome;
   outcome.pixels = 76800;
@@ -23,7 +23,7 @@ IcpOutcome goodOutcome() {
   return outcome;
 }
 
-/// Where ICP began when it moved so far.
+/// The start pose of ICP if it moved the pose by `x_m`.
 Eigen::Isometry3d movedBy(double x_m) { return Eigen::Isometry3d(Eigen::Translation3d(-x_m, 0, 0)); }
 
 TrackingState judged(const IcpOutcome& outcome, PoseOrigin origin, double moved_m = 0,
@@ -38,18 +38,18 @@ IcpOutcome changed(Change change) {
   return outcome;
 }
 
-TEST(PoseJudgment, SaysOnWhatItRests) {
+TEST(JudgePose, ReportsInliersAndError) {
   const PoseEstimate pose = judgePose(goodOutcome(), movedBy(0), PoseOrigin::prediction, kDepthNoise_m);
   EXPECT_EQ(pose.state, tracking);
   EXPECT_NEAR(pose.inlier_fraction, 50.0 / 55.0, 1e-12);
   EXPECT_NEAR(pose.rmse_m, 0.006, 1e-12);
 }
 
-TEST(PoseJudgment, TrustsWhatIsWellFoundedOnly) {
+TEST(JudgePose, IsUncertainOrLost_WhenEvidenceIsWeak) {
   constexpr PoseOrigin kOrigin = PoseOrigin::prediction;
   const IcpOutcome noisy = changed([](IcpOutcome& o) { o.system.fit_residual_m = 0.02; });
   EXPECT_EQ(judged(noisy, kOrigin), uncertain);
-  EXPECT_EQ(judged(noisy, kOrigin, 0, 3 * kDepthNoise_m), tracking) << "so noisy a camera";
+  EXPECT_EQ(judged(noisy, kOrigin, 0, 3 * kDepthNoise_m), tracking) << "within the noise of the camera";
   EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.step.free_directions = 1; }), kOrigin), uncertain);
   EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.step.rotation_rad = 0.01; }), kOrigin), uncertain);
   EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.system.inliers = 20000; }), kOrigin), uncertain);
@@ -57,25 +57,25 @@ TEST(PoseJudgment, TrustsWhatIsWellFoundedOnly) {
   EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.step.finite = false; }), kOrigin), lost);
 }
 
-TEST(PoseJudgment, MoreMustBeShownWhereMoreCouldBeWrong) {
+TEST(JudgePose, NeedsMoreInliers_AfterASearchOrLongMotion) {
   EXPECT_EQ(judged(goodOutcome(), PoseOrigin::search, 0.1), tracking);
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 34000; });
   EXPECT_EQ(judged(half, PoseOrigin::prediction), tracking);
   EXPECT_EQ(judged(half, PoseOrigin::prediction, 0.1), uncertain);
   EXPECT_EQ(judged(half, PoseOrigin::search), uncertain);
-  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::prediction, 0.5), uncertain) << "out of a hand's reach";
+  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::prediction, 0.5), uncertain) << "too fast for a hand";
 }
 
-TEST(PoseJudgment, LandmarksDetermineWhatGeometryDoesNot) {
+TEST(JudgePose, TrustsLandmarks_WhenGeometryIsFree) {
   const IcpOutcome wall = changed([](IcpOutcome& o) { o.step.free_directions = 3; });
   EXPECT_EQ(judged(wall, PoseOrigin::prediction), uncertain);
   EXPECT_EQ(judged(wall, PoseOrigin::landmarks), tracking);
   const IcpOutcome elsewhere = changed([](IcpOutcome& o) { o.landmark_error_px = 8; });
-  EXPECT_EQ(judged(elsewhere, PoseOrigin::landmarks), uncertain) << "depth and colour say different things";
+  EXPECT_EQ(judged(elsewhere, PoseOrigin::landmarks), uncertain) << "depth and colour disagree";
 }
 
-// A near thing comes into view: half the image lies before the wall that is known there.
-TEST(PoseJudgment, NewThingsBeforeKnownOnesAreNoContradiction) {
+// A near object enters the view: half the image lies in front of the known wall.
+TEST(JudgePose, AcceptsNewSurfaces_InFrontOfKnownOnes) {
   const auto half = [](int before, int behind) {
     return changed([&](IcpOutcome& o) {
       o.system.inliers = 20000;
@@ -84,12 +84,12 @@ TEST(PoseJudgment, NewThingsBeforeKnownOnesAreNoContradiction) {
     });
   };
   EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::prediction), tracking);
-  EXPECT_EQ(judged(half(17000, 16000), PoseOrigin::prediction), uncertain) << "so does a wrong pose";
-  EXPECT_EQ(judged(half(0, 30000), PoseOrigin::prediction), uncertain) << "nobody sees through walls";
-  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::place), uncertain) << "nobody knows that it was followed";
+  EXPECT_EQ(judged(half(17000, 16000), PoseOrigin::prediction), uncertain) << "a wrong pose looks the same";
+  EXPECT_EQ(judged(half(0, 30000), PoseOrigin::prediction), uncertain) << "nothing is visible behind a wall";
+  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::place), uncertain) << "the camera was not tracked here";
 }
 
-TEST(PoseJudgment, LittleKnownSurfaceIsEnoughWhenItDeterminesThePose) {
+TEST(JudgePose, AcceptsLittleOverlap_WhenItIsFirm) {
   const auto known = [](bool is_firm, int inliers) {
     return changed([&](IcpOutcome& o) {
       o.system.overlap = 9000;
@@ -99,10 +99,11 @@ TEST(PoseJudgment, LittleKnownSurfaceIsEnoughWhenItDeterminesThePose) {
   };
   EXPECT_EQ(judged(known(true, 7500), PoseOrigin::prediction), tracking);
   EXPECT_EQ(judged(known(false, 7500), PoseOrigin::prediction), uncertain);
-  EXPECT_EQ(judged(known(true, 5500), PoseOrigin::prediction), uncertain) << "little must fit better";
+  EXPECT_EQ(judged(known(true, 5500), PoseOrigin::prediction), uncertain)
+      << "a small overlap needs a better fit";
 }
 
-TEST(PoseJudgment, APlaceMustBeRecognizedBetterThanACameraIsFollowed) {
+TEST(JudgePose, NeedsMoreInliers_ForAKeyFrame) {
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 30000; });
   EXPECT_EQ(judged(half, PoseOrigin::landmarks), tracking);
   EXPECT_EQ(judged(half, PoseOrigin::place), uncertain);

@@ -1,4 +1,4 @@
-// A camera that comes back to a place while the map has drifted.
+// A camera returns to a key frame after the map has drifted.
 #include "core/tracking/revisited_key_frame.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,7 @@ const Intrinsics kPictureCamera{525, 525, 319.5, 239.5, 640, 480};
 constexpr float kPicture_m = 2;
 const cv::Mat kThumbnail = cv::Mat::ones(30, 40, CV_32FC1) / std::sqrt(1200.0);
 
-/// A picture on a wall two metres before a camera at the origin, with `count` features of a look of their
-/// own.
+/// The view of a picture on a wall, 2 m in front of a camera at the origin, with `count` random features.
 ColorView pictureOf(std::uint64_t seed, int count) {
   cv::RNG random(seed);
   ColorView view;
@@ -27,7 +26,7 @@ ColorView pictureOf(std::uint64_t seed, int count) {
   return view;
 }
 
-/// The wall as a map has it that has drifted by `drift_m` along x (which is to the camera's right).
+/// The wall in a map that has drifted by `drift_m` along x, to the right of the camera.
 std::vector<cl_float4> wall(double drift_m) {
   std::vector<cl_float4> vertices;
   for (int v = 0; v < 240; ++v) {
@@ -40,59 +39,58 @@ std::vector<cl_float4> wall(double drift_m) {
   return vertices;
 }
 
-/// What that camera, which has the same picture before it and is thought to be `drift_m` to the right, is
-/// told.
-std::optional<RevisitedKeyFrame> askAt(const KeyFrames& places, const ColorView& view, double drift_m) {
+/// The key frame found by a camera at the origin whose estimated position has drifted by `drift_m`.
+std::optional<RevisitedKeyFrame> findAt(const KeyFrames& key_frames, const ColorView& view, double drift_m) {
   const Eigen::Isometry3d T_world_color(Eigen::Translation3d(drift_m, 0, 0));
   const std::vector<cl_float4> vertices = wall(drift_m);
-  return returnedTo(places, kThumbnail, view, SurfaceInView(kPictureCamera, T_world_color, vertices));
+  return returnedTo(key_frames, kThumbnail, view, SurfaceInView(kPictureCamera, T_world_color, vertices));
 }
 
-/// The place of `view`, and then so many others, on a way of about a metre each.
+/// A key frame of `view` and then `others` more, about 1 m of camera path each.
 KeyFrames keyFramesWith(const ColorView& view, int others) {
-  KeyFrames places;
+  KeyFrames key_frames;
   const std::vector<cl_float4> vertices = wall(0);
-  places.add({Eigen::Isometry3d::Identity(), landmarksOf(view, Eigen::Isometry3d::Identity(), vertices),
-              kThumbnail});
+  key_frames.add({Eigen::Isometry3d::Identity(), landmarksOf(view, Eigen::Isometry3d::Identity(), vertices),
+                  kThumbnail});
   for (int i = 0; i < others; ++i) {
     const auto T = pose(0, 30.0 * i, 0, i % 2, 0, 0);
-    places.add(
+    key_frames.add(
         {T, landmarksOf(pictureOf(100 + static_cast<std::uint64_t>(i), 200), T, vertices), kThumbnail});
   }
-  return places;
+  return key_frames;
 }
 
-TEST(RevisitedKeyFrame, SaysHowFarTheMapHasDrifted) {
+TEST(ReturnedTo, MeasuresTheDrift) {
   const ColorView view = pictureOf(1, 200);
-  const KeyFrames places = keyFramesWith(view, 12);
+  const KeyFrames key_frames = keyFramesWith(view, 12);
   for (const double drift_m : {0.0, 0.05, 0.4}) {
-    const auto returned = askAt(places, view, drift_m);
+    const auto returned = findAt(key_frames, view, drift_m);
     ASSERT_TRUE(returned) << drift_m;
     EXPECT_NEAR(returned->drift_m, drift_m, 0.01);
     EXPECT_GT(returned->landmarks, 150);
   }
 }
 
-TEST(RevisitedKeyFrame, WhatLooksTheSameFartherOffThanAnyMapDriftsIsAnotherPlace) {
+TEST(ReturnedTo, FindsNothing_WhenTheDriftIsImplausible) {
   const ColorView view = pictureOf(1, 200);
-  const KeyFrames places = keyFramesWith(view, 12);
-  const double way = places.distanceSince(places.all().front());
-  EXPECT_NEAR(way, 11 * (1 + 30 * 3.14159 / 180), 0.1);
-  EXPECT_TRUE(askAt(places, view, 0.09 * way));
-  EXPECT_FALSE(askAt(places, view, 0.12 * way));
-  EXPECT_FALSE(askAt(places, view, 9));
+  const KeyFrames key_frames = keyFramesWith(view, 12);
+  const double path_m = key_frames.distanceSince(key_frames.all().front());
+  EXPECT_NEAR(path_m, 11 * (1 + 30 * 3.14159 / 180), 0.1);
+  EXPECT_TRUE(findAt(key_frames, view, 0.09 * path_m));
+  EXPECT_FALSE(findAt(key_frames, view, 0.12 * path_m));
+  EXPECT_FALSE(findAt(key_frames, view, 9));
 }
 
-TEST(RevisitedKeyFrame, WhereTheCameraJustWasItHasNotReturnedTo) {
+TEST(ReturnedTo, FindsNothing_WhenTheCameraHasJustLeft) {
   const ColorView view = pictureOf(1, 200);
-  EXPECT_FALSE(askAt(keyFramesWith(view, 7), view, 0.4));
-  EXPECT_TRUE(askAt(keyFramesWith(view, 8), view, 0.4));
+  EXPECT_FALSE(findAt(keyFramesWith(view, 7), view, 0.4));
+  EXPECT_TRUE(findAt(keyFramesWith(view, 8), view, 0.4));
 }
 
-TEST(RevisitedKeyFrame, OfAnotherPictureOrAFewFeaturesNothingIsSaid) {
-  EXPECT_FALSE(askAt(keyFramesWith(pictureOf(1, 200), 12), pictureOf(2, 200), 0.1));
+TEST(ReturnedTo, FindsNothing_WithOtherOrFewFeatures) {
+  EXPECT_FALSE(findAt(keyFramesWith(pictureOf(1, 200), 12), pictureOf(2, 200), 0.1));
   const ColorView poor = pictureOf(3, 45);
-  EXPECT_FALSE(askAt(keyFramesWith(poor, 12), poor, 0.1));
+  EXPECT_FALSE(findAt(keyFramesWith(poor, 12), poor, 0.1));
 }
 
 }  // namespace

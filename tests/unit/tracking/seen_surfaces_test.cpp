@@ -7,7 +7,7 @@
 namespace scantrove::test {
 namespace {
 
-TEST(SeenSurfaces, OneForEachHandsWidth) {
+TEST(SeenSurfaces, AreDue_AtANewPoseOnly) {
   SeenSurfaces seen;
   EXPECT_TRUE(seen.isDue(pose(0, 0, 0, 0, 0, 0)));
   seen.add(pose(0, 0, 0, 0, 0, 0), {});
@@ -16,17 +16,17 @@ TEST(SeenSurfaces, OneForEachHandsWidth) {
   EXPECT_TRUE(seen.isDue(pose(0, 0, 0, 0.12, 0, 0)));
 }
 
-TEST(SeenSurfaces, SeenAgainIsWhatTheCameraWasAwayFrom) {
+TEST(SeenSurfaces, FindAView_OnlyAfterTheCameraLeftIt) {
   SeenSurfaces seen;
   seen.add(pose(0, 0, 0, 0, 0, 0), {});
   seen.markLeftExceptNear(pose(0, 5, 0, 0, 0, 0));
-  EXPECT_EQ(seen.nearestSeenAgain(pose(0, 0, 0, 0, 0, 0)), nullptr) << "it never went away";
+  EXPECT_EQ(seen.nearestSeenAgain(pose(0, 0, 0, 0, 0, 0)), nullptr) << "the camera has not left it";
   seen.markLeftExceptNear(pose(0, 60, 0, 0, 0, 0));
   EXPECT_NE(seen.nearestSeenAgain(pose(0, 3, 0, 0, 0, 0)), nullptr);
   EXPECT_EQ(seen.nearestSeenAgain(pose(0, 8, 0, 0, 0, 0)), nullptr) << "another view";
 }
 
-TEST(SeenSurfaces, TheNearestOfThemCounts) {
+TEST(SeenSurfaces, FindTheNearestView) {
   SeenSurfaces seen;
   seen.add(pose(0, 0, 0, 0, 0, 0), {});
   seen.add(pose(0, 0, 0, 0.12, 0, 0), {});

@@ -9,7 +9,7 @@ namespace {
 
 const Intrinsics kCamera{131, 131, 79.5F, 59.5F, 160, 120};
 
-/// What the camera sees of the plane n . x = d (camera frame).
+/// The vertices of the plane n . x = d (camera frame) in view.
 std::vector<cl_float4> planeSeen(const Eigen::Vector3f& n, float d) {
   std::vector<cl_float4> vertices(static_cast<std::size_t>(kCamera.pixels()));
   for (int i = 0; i < kCamera.pixels(); ++i) {
@@ -23,7 +23,7 @@ std::vector<cl_float4> planeSeen(const Eigen::Vector3f& n, float d) {
 
 Eigen::Vector3f xyz(const cl_float4& v) { return {v.s[0], v.s[1], v.s[2]}; }
 
-TEST(StoredSurface, APlaneComesBackWithItsNormal) {
+TEST(StoredSurface, RendersAPlaneWithItsNormal) {
   const Eigen::Vector3f n = Eigen::Vector3f(0.2F, 0.3F, -1).normalized();
   const std::vector<cl_float4> seen = planeSeen(n, -1.5F);
   const Eigen::Isometry3d T = pose(10, 20, 30, 0.5, -0.2, 1);
@@ -31,17 +31,17 @@ TEST(StoredSurface, APlaneComesBackWithItsNormal) {
   const Eigen::Vector3f normal = T.linear().cast<float>() * n;
   int normals = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    // Depth is kept to 0.0625 mm; at the image's corners a ray is 1.3 times as long.
+    // Depth has steps of 0.0625 mm; rays at the corners are 1.3 times as long.
     EXPECT_LT((view.vertices_world[i].head<3>() - T.cast<float>() * xyz(seen[i])).norm(), 0.0001F);
     if (view.normals_world[i].w() == 0) continue;
     ++normals;
     // Two steps of 0.0625 mm over two pixels, 23 mm apart.
     EXPECT_GT(view.normals_world[i].head<3>().dot(normal), 0.9999F);
   }
-  EXPECT_EQ(normals, 158 * 118) << "all but the image's rim";
+  EXPECT_EQ(normals, 158 * 118) << "all but the border pixels";
 }
 
-TEST(StoredSurface, NoNormalWhereDepthJumpsAndNoVertexWithoutDepth) {
+TEST(StoredSurface, HasNoNormalAtDepthStepsAndNoVertexWithoutDepth) {
   std::vector<cl_float4> seen = planeSeen({0, 0, -1}, -1);
   const std::vector<cl_float4> behind = planeSeen({0, 0, -1}, -1.2F);
   for (int i = 0; i < kCamera.pixels(); ++i) {
@@ -58,7 +58,7 @@ TEST(StoredSurface, NoNormalWhereDepthJumpsAndNoVertexWithoutDepth) {
   EXPECT_EQ(view.normals_world[at(40, 10)].w(), 0) << "its upper neighbour has no depth";
 }
 
-TEST(StoredSurface, WhatIsFartherThanCanBeKeptIsNotThere) {
+TEST(StoredSurface, HasNoVertices_BeyondItsRange) {
   const RenderedView view =
       StoredSurface(kCamera, planeSeen({0, 0, -1}, -9)).render(Eigen::Isometry3d::Identity());
   for (const Eigen::Vector4f& vertex : view.vertices_world) EXPECT_EQ(vertex.w(), 0);
