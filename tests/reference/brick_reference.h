@@ -11,8 +11,8 @@
 
 namespace scantrove::reference {
 
-/// Smallest and largest of several depth readings; smallest is 0 where one of them is none, largest where all
-/// are.
+/// Smallest and largest of several depth readings. Smallest is 0 if any pixel has no reading, largest if none
+/// has one.
 struct DepthExtent {
   double smallest = std::numeric_limits<double>::infinity();
   double largest = 0;
@@ -22,10 +22,10 @@ struct DepthExtent {
   }
 };
 
-/// A depth image cut into square tiles, and what bricks may meet in it.
+/// A depth image divided into square tiles, and the readings that bricks may project to.
 class TiledDepth {
  public:
-  /// What lies in (0, max_depth_m] is a reading.
+  /// Values in (0, max_depth_m] are readings.
   TiledDepth(const Intrinsics& K, std::vector<float> depth_m, double max_depth_m, int tile_px)
       : K_(K), depth_m_(std::move(depth_m)), max_depth_m_(max_depth_m), tile_px_(tile_px) {}
 
@@ -42,7 +42,7 @@ class TiledDepth {
     return extent;
   }
 
-  /// The readings that the centres of a brick's voxels meet, one by one; none outside of the image.
+  /// The readings at the projections of all voxel centres of a brick; none outside the image.
   /// `T_camera_window`: voxels to metres.
   [[nodiscard]] DepthExtent touchedBy(const Eigen::Vector3i& brick,
                                       const Eigen::Affine3d& T_camera_window) const {
@@ -60,10 +60,10 @@ class TiledDepth {
 
   struct Bounds {
     DepthExtent extent;
-    bool decided = true;  ///< false: rounding decides which tiles count
+    bool decided = true;  ///< false if rounding decides which tiles count
   };
 
-  /// Bounds of touchedBy, from the tiles that the image of the brick's corners spans.
+  /// Bounds of touchedBy() from the tiles that the projected corners span.
   [[nodiscard]] Bounds boundsOf(const Eigen::Vector3i& brick, const Eigen::Affine3d& T_camera_window) const {
     constexpr double kNear_m = 0.01;
     Eigen::AlignedBox2d box;
@@ -93,8 +93,8 @@ class TiledDepth {
         bounds.extent.add(extent.largest);
       }
     }
-    const bool whole = (box.min().array() >= 0).all() && (box.max().array() < size.array()).all();
-    if (!whole) bounds.extent.smallest = 0;
+    const bool is_inside = (box.min().array() >= 0).all() && (box.max().array() < size.array()).all();
+    if (!is_inside) bounds.extent.smallest = 0;
     return bounds;
   }
 
@@ -109,7 +109,7 @@ class TiledDepth {
   int tile_px_;
 };
 
-/// The bricks that segments touch: for certain, or only with a corner so small that rounding decides.
+/// The bricks that segments touch; `possible` are those that depend on rounding.
 struct TouchedBricks {
   using Brick = std::array<int, 3>;
   std::set<Brick> certain, possible;
@@ -131,7 +131,7 @@ struct TouchedBricks {
       const bool is_corner = (cuts[i + 1] - cuts[i]) * (b - a).norm() < kCorner;
       (is_corner ? possible : certain).insert({brick.x(), brick.y(), brick.z()});
       if (!is_corner) continue;
-      // Beside a corner the rounded segment may pass through the neighbours too.
+      // Near a corner, the rounded segment may also touch the neighbours.
       for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-kCorner, kCorner}) {
           const Eigen::Vector3i beside =

@@ -10,7 +10,7 @@
 
 namespace scantrove::reference {
 
-/// What a colour image shows of points near a surface, in doubles, as the formula reads; see rate_pixels.cl.
+/// The colour of points near a surface in a colour image, in double precision; see rate_pixels.cl.
 class ColorView {
  public:
   Intrinsics K;  ///< of the depth camera
@@ -29,7 +29,7 @@ class ColorView {
   };
   struct Answer {
     std::optional<Seen> seen;
-    bool decided = true;  ///< false: rounding decides
+    bool decided = true;  ///< false if rounding decides
   };
 
   [[nodiscard]] Answer at(const Eigen::Vector3d& p_world) const {
@@ -43,7 +43,7 @@ class ColorView {
     };
     const std::optional<Eigen::Vector2i> pixel = pixelOf(K, T_world_camera.inverse() * p_world, holds);
     if (!pixel) return answer;
-    const int u = pixel->x() / 2 * 2;  // of each two by two pixels the first stands for all
+    const int u = pixel->x() / 2 * 2;  // the first pixel represents each 2 x 2 pixels
     const int v = pixel->y() / 2 * 2;
     const std::size_t i = index(u, v);
     if (!is_surface[i] || !has_normal[i] || !has_reading[i] || is_hidden[i]) return answer;
@@ -55,8 +55,8 @@ class ColorView {
     const double color_cosine = cosineTo(T_world_color.translation(), i);
     if (!holds(cosine, 0.15) || !holds(color_cosine, 0.15)) return answer;
 
-    // An outline: a reading two or three pixels away is hidden or off the plane here, or it is none, and so
-    // is the map's surface twice as far away.
+    // An outline: a reading two or three pixels away is hidden or off the plane, or it is missing, as is the
+    // map's surface twice as far away.
     const Eigen::Vector3d n = T_world_camera.linear().transpose() * normals[i];
     for (const int dv : {-2, 0, 3}) {
       for (const int du : {-2, 0, 3}) {
@@ -75,11 +75,11 @@ class ColorView {
         if (!holds(apart / voxel_size_m, off / voxel_size_m)) return answer;
       }
     }
-    // Two voxels across the surface, and what the surface itself recedes within a pixel and a half.
+    // Two voxels across the surface, plus the slope of the surface over 1.5 pixels.
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     const double reach = (2 * voxel_size_m + 1.5 * z / K.fx * sine) / cosine;
     const double behind = std::abs((T_world_camera.inverse() * p_world).z() - z);
-    if (!holdsWithin(1e-4, reach, behind)) return answer;  // it is kept in sixteenths of a millimetre
+    if (!holdsWithin(1e-4, reach, behind)) return answer;  // stored in sixteenths of a millimetre
 
     const std::optional<Eigen::Vector2i> place = pixelOf(K_color, T_world_color.inverse() * p_world, holds);
     if (!place) return answer;
@@ -104,7 +104,7 @@ class ColorView {
     if (p.z() <= 0) return std::nullopt;
     const double u = K.fx * p.x() / p.z() + K.cx + 0.5;
     const double v = K.fy * p.y() / p.z() + K.cy + 0.5;
-    for (const double x : {u, v}) (void)holds(std::abs(x - std::round(x)), 0.0);  // at a pixel's border?
+    for (const double x : {u, v}) (void)holds(std::abs(x - std::round(x)), 0.0);  // near a pixel border
     if (!(u >= 0 && v >= 0 && u < K.width && v < K.height)) return std::nullopt;
     return Eigen::Vector2i(static_cast<int>(std::floor(u)), static_cast<int>(std::floor(v)));
   }
@@ -115,8 +115,8 @@ struct ColorMean {
   Eigen::Vector3d rgb = Eigen::Vector3d::Zero();
   double weight = 0;
 
-  /// `observations` of the voxel's distance, this one included: of fewer than four, what was seen before
-  /// counts no more than they would if all had been like this one.
+  /// `observations` of the voxel's distance, this one included. Below four, earlier colour weighs at most as
+  /// much as that many views like this one.
   void add(const ColorView::Seen& seen, double observations) {
     const double before = observations < 4 ? std::min(weight, observations * seen.weight) : weight;
     rgb += (seen.rgb - rgb) * seen.weight / (before + seen.weight);

@@ -9,8 +9,8 @@
 
 namespace scantrove::reference {
 
-/// Algorithms 1 and 2 of the thesis, to the letter: every voxel of a dense volume, every frame. The volume's
-/// first voxel is `first` (in voxels), so that it may lie anywhere.
+/// Algorithms 1 and 2 of the thesis, literally: visits every voxel of a dense volume in every frame. The
+/// volume starts at voxel `first`.
 struct DenseLabelCloud {
   Eigen::Vector3i first;
   int side = 0;
@@ -31,7 +31,7 @@ struct DenseLabelCloud {
            static_cast<std::size_t>(x);
   }
 
-  /// `vertices`: world, w = 0 = none. `merged`: S_cloud,t, none = unlabelled (such a pixel writes nothing).
+  /// `vertices`: world, w = 0 if none. `merged`: S_cloud,t; pixels without fragment write nothing.
   void update(const std::vector<Eigen::Vector4f>& vertices, const std::vector<FragmentId>& merged,
               const Intrinsics& K, const Eigen::Isometry3d& T_world_camera, float distthresh) {
     const Eigen::Matrix4f T_camera_world = T_world_camera.inverse().matrix().cast<float>();

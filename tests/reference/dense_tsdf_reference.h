@@ -7,14 +7,14 @@
 
 namespace scantrove::reference {
 
-/// Curless and Levoy's volume over a dense box of voxels, in doubles, as the formula reads. Voxel (x, y, z)
-/// spans [x, x + 1) * voxel_size and is sampled at its centre.
+/// The volume of Curless and Levoy over a dense box of voxels, in double precision. Voxel (x, y, z) spans
+/// [x, x + 1) * voxel_size and is sampled at its centre.
 class DenseTsdf {
  public:
   struct Voxel {
     double distance = 0;    ///< in truncations
     double weight = 0;      ///< observations
-    bool doubtful = false;  ///< some frame projected it so near a pixel's border that rounding decides
+    bool doubtful = false;  ///< in some frame, rounding decides to which pixel it projects
   };
 
   DenseTsdf(const Eigen::Vector3i& first, const Eigen::Vector3i& size, double voxel_size_m,

@@ -9,7 +9,7 @@
 
 namespace scantrove::reference {
 
-/// Depth images in metres, row by row, 0 = none; everything computed in double from the formulas.
+/// Depth images in metres, row by row, 0 = no reading. Computes in double precision.
 struct DepthImage {
   int width = 0, height = 0;
   std::vector<float> z;
@@ -21,13 +21,13 @@ struct DepthImage {
 
 inline double depthJump(double z) { return 0.01 + 0.01 * z * z; }
 
-/// Metres of a reading in units of the camera; 0 where it lies outside [min_m, max_m].
+/// Converts a reading from camera units to metres; 0 outside [min_m, max_m].
 inline float convertDepth(std::uint16_t units, float meters_per_unit, float min_m, float max_m) {
   const float z = static_cast<float>(units) * meters_per_unit;
   return z >= min_m && z <= max_m ? z : 0.0F;
 }
 
-/// Mean of the nearest surface's readings under each small pixel, weighted by the covered area.
+/// Mean of the readings of the nearest surface under each small pixel, weighted by covered area.
 inline DepthImage reduceDepth(const DepthImage& large, int width, int height, double ratio_x,
                               double ratio_y) {
   DepthImage small(width, height);

@@ -12,9 +12,8 @@ struct GraphEdge {
   float weight;
 };
 
-/// Felzenszwalb and Huttenlocher word for word, with the simplest data: each node holds its component's
-/// number, and Int(C) is computed anew each time as the largest weight of a minimum spanning tree of C
-/// (Prim).
+/// The literal algorithm of Felzenszwalb and Huttenlocher: each node stores the number of its component, and
+/// Int(C) is recomputed each time as the largest weight of a minimum spanning tree of C (Prim).
 class LiteralPartition {
  public:
   LiteralPartition(std::size_t node_count, std::vector<GraphEdge> edges, float k)
@@ -40,7 +39,7 @@ class LiteralPartition {
     return std::min(limit(a), limit(b));
   }
 
-  /// Dif(C1, C2), eq. 3.2: the smallest weight between them, infinity where there is none.
+  /// Dif(C1, C2), eq. 3.2: the smallest weight between them, infinity if there is none.
   [[nodiscard]] float difference(std::uint32_t a, std::uint32_t b) const {
     float smallest = std::numeric_limits<float>::infinity();
     for (const GraphEdge& edge : edges_) {
@@ -79,7 +78,7 @@ class LiteralPartition {
   float k_;
 };
 
-/// Components renumbered 1, 2, ... by their first node, so that equal partitions are equal vectors.
+/// Renumbers components 1, 2, ... by their first node, so that equal partitions are equal vectors.
 inline std::vector<std::uint32_t> canonical(const std::vector<std::uint32_t>& components) {
   std::vector<std::uint32_t> number(
       components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1, 0);

@@ -19,8 +19,7 @@ struct IcpSettings {
   double distance_m, distance_per_z2, normal_cosine, huber_m, noise_per_z2, fit_huber_m, fit_noise_per_z2;
 };
 
-/// Normal equations of point-to-plane ICP about `centre` by the definition, one pixel after the other, in
-/// double.
+/// Normal equations of point-to-plane ICP about `center`, pixel by pixel in double precision.
 inline IcpSums accumulateIcp(const std::vector<Eigen::Vector4d>& vertices,
                              const std::vector<Eigen::Vector4d>& normals,
                              const Eigen::Isometry3d& T_world_frame,

@@ -13,13 +13,14 @@ namespace scantrove::reference {
 
 using Voxel = std::array<int, 3>;
 
-/// floor(p / side) of a coordinate in metres: the voxel or brick that holds it. Floor, not rounding and not
-/// truncation: voxel 0 spans [0, side), voxel -1 spans [-side, 0).
+/// The voxel or brick that contains a coordinate in metres: floor(p / side). Voxel 0 spans [0, side), voxel
+/// -1 spans
+/// [-side, 0).
 [[nodiscard]] inline int cellOf(double p_m, double side_m) {
   return static_cast<int>(std::floor(p_m / side_m));
 }
 
-/// S_prj,t of one vertex (world, metres, w = 0: no surface): the label of the voxel that holds it, 0 = none.
+/// S_prj,t of one vertex (world, metres, w = 0: no surface): the label of its voxel, 0 if none.
 [[nodiscard]] inline std::uint32_t projectedLabel(const Eigen::Vector4f& vertex, double voxel_size_m,
                                                   const std::map<Voxel, std::uint32_t>& labels) {
   if (!(vertex.w() > 0)) return 0;
@@ -33,18 +34,18 @@ using Voxel = std::array<int, 3>;
 struct SurfacePoint {
   Eigen::Vector3d center_m;  ///< world
   std::uint32_t fragment = 0;
-  Eigen::Vector3d normal;  ///< zero where no neighbour says
+  Eigen::Vector3d normal;  ///< zero if no neighbour determines it
 };
 
-/// What is known of a voxel.
+/// The state of a voxel.
 struct FusedVoxel {
   double distance = 0;  ///< signed, in truncations
   bool seen = false;
   std::uint32_t fragment = 0;
 };
 
-/// The direction in which the distance grows at a voxel, by what was seen of its neighbours in the brick: the
-/// slope along each axis between those on both sides, or between the one there is and the voxel.
+/// The gradient of the distance at a voxel from its seen neighbours in the brick. Along each axis it is the
+/// slope between both neighbours, or between one neighbour and the voxel.
 [[nodiscard]] inline Eigen::Vector3d normalInBrick(
     const Eigen::Vector3i& local, const std::function<FusedVoxel(const Eigen::Vector3i& local)>& voxel_at) {
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
@@ -63,8 +64,8 @@ struct FusedVoxel {
   return slope.squaredNorm() > 0 ? slope.normalized() : slope;
 }
 
-/// The points of one brick of 8^3 voxels, x fastest: its voxels that were seen, hold a fragment, and lie
-/// within one voxel of the surface.
+/// The points of one brick of 8^3 voxels, x fastest: seen voxels with a fragment within one voxel of the
+/// surface.
 [[nodiscard]] inline std::vector<SurfacePoint> pointsOfBrick(
     const Eigen::Vector3i& brick, double voxel_size_m, double truncation_vox,
     const std::function<FusedVoxel(const Eigen::Vector3i& local)>& voxel_at) {

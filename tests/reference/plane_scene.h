@@ -11,7 +11,7 @@ namespace scantrove::reference {
 
 inline Eigen::Vector3d toEigen(const cl_float4& v) { return {v.s[0], v.s[1], v.s[2]}; }
 
-/// A half-space's face: points p of the camera frame with normal . p = offset, kept where inside(p).
+/// A face: points p of the camera frame with normal . p = offset and inside(p).
 struct Face {
   Eigen::Vector3d normal;  ///< unit, towards the camera
   double offset;
@@ -21,10 +21,10 @@ struct Face {
 struct RenderedFaces {
   std::vector<cl_float4> vertices;  ///< camera frame, as SurfaceMaps
   std::vector<cl_float4> normals;
-  std::vector<int> faces;  ///< index of the face seen, -1 = none
+  std::vector<int> faces;  ///< index of the visible face, -1 if none
 };
 
-/// Vertices and normals of the nearest face along each pixel's ray: exact but for rounding to float.
+/// Vertices and normals of the nearest face along the ray of each pixel, exact up to float rounding.
 inline RenderedFaces render(const std::vector<Face>& faces, const Intrinsics& K) {
   RenderedFaces result;
   for (int v = 0; v < K.height; ++v) {
@@ -56,8 +56,8 @@ inline RenderedFaces render(const std::vector<Face>& faces, const Intrinsics& K)
   return result;
 }
 
-/// Two faces that meet in a line through (0, 0, 1), upright in the image or level, and turn by `turn_rad`
-/// there: a ridge towards the camera (convex) or a valley (concave). Every pixel sees one of the two.
+/// Two faces that meet in a vertical or horizontal (`level`) line through (0, 0, 1) at an angle of
+/// `turn_rad`: a ridge towards the camera (convex) or a valley (concave). They cover all pixels.
 inline std::vector<Face> wedge(bool convex, double turn_rad, bool level = false) {
   const double across = (convex ? -1 : 1) * std::sin(turn_rad / 2);  // of the first face's normal
   const double towards = -std::cos(turn_rad / 2);

@@ -6,11 +6,10 @@
 
 namespace scantrove::reference {
 
-/// A signed distance sampled at voxel centres; nothing where it was never seen.
+/// A signed distance sampled at voxel centres; none for unseen voxels.
 using VoxelField = std::function<std::optional<double>(const Eigen::Vector3i& voxel)>;
 
-/// Trilinear value at p (in voxels) of the corners that were seen, where these have at least half of the
-/// weight.
+/// Trilinear value at p (in voxels) of the seen corners, if they have at least half of the weight.
 [[nodiscard]] inline std::optional<double> trilinear(const VoxelField& field, const Eigen::Vector3d& p) {
   const Eigen::Vector3d base = (p.array() - 0.5).floor();
   const Eigen::Vector3d w = p.array() - 0.5 - base.array();
@@ -29,8 +28,8 @@ using VoxelField = std::function<std::optional<double>(const Eigen::Vector3i& vo
   return sum / total;
 }
 
-/// The parameter of the first change from + to - along origin + t * direction (voxels) in (t_from, t_to), by
-/// small steps; nothing if the field changes from - to + first.
+/// The parameter of the first change from + to - along origin + t * direction (voxels) in (t_from, t_to),
+/// found in small steps. None if the field changes from - to + first.
 [[nodiscard]] inline std::optional<double> firstSurface(const VoxelField& field,
                                                         const Eigen::Vector3d& origin,
                                                         const Eigen::Vector3d& direction, double t_from,

@@ -7,22 +7,22 @@
 
 namespace scantrove::reference {
 
-/// The plane of the window around one pixel, by least squares on inverse depth, in double precision.
+/// The plane of the window around one pixel, fitted to inverse depth in double precision.
 struct WindowPlane {
   bool fits = false;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< camera frame, towards the camera
   double rms_m = 0;                                  ///< distance of the readings from the plane
-  double concavity_m = 0;                            ///< rise of the rim above the middle
-  double margin =
-      1;  ///< smallest relative distance of a reading from the gate: under ~1e-4 a float may decide otherwise
+  double concavity_m = 0;                            ///< rise of the border above the middle
+  double margin = 1;  ///< smallest relative distance of a reading from the gate; below ~1e-4 float rounding
+                      ///< may decide otherwise
 };
 
-/// What refine_normals.cl describes, written from its formula. `z`: width * height depths, 0 = none.
+/// The formula of refine_normals.cl. `z`: width * height depths, 0 = none.
 class NormalReference {
  public:
   NormalReference(const Intrinsics& K, std::vector<double> z, int radius, double gate_m)
       : K_(K), z_(std::move(z)), radius_(radius), gate_m_(gate_m) {
-    planes_.reserve(z_.size());  // once each: every pixel looks at those of its neighbours
+    planes_.reserve(z_.size());  // computed once, because each pixel uses the planes of its neighbours
     for (int y = 0; y < K_.height; ++y) {
       for (int x = 0; x < K_.width; ++x) planes_.push_back(fit(x, y));
     }

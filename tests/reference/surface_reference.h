@@ -14,26 +14,26 @@ struct InverseDepthPlane {
   bool fits = false;
   double a = 0, b = 0, c = 0;
   double error = 0;   ///< mean squared error of q, relative to the pixel's own q^2
-  double margin = 1;  ///< relative distance of the nearest neighbour from the slope that decides who belongs
+  double margin = 1;  ///< smallest relative distance of a neighbour from the slope limit
 };
 
-/// V_t and N_t of one view, from its depths; everything in double, from the formulas. `depth`: width * height
-/// metres along the optical axis, anything not above 0 is none.
+/// V_t and N_t of one view from its depths, in double precision. `depth`: width * height metres along the
+/// optical axis; values not above 0 are no readings.
 class SurfaceReference {
  public:
   struct Constants {
-    int radius_px = 3;          ///< of the window of a plane
-    double slope = 3;           ///< pixel sizes of depth for each pixel of distance that still belong
+    int radius_px = 3;          ///< of the window for a plane
+    double slope = 3;           ///< largest depth difference, in pixel sizes per pixel of distance
     double depth_share = 0.5;   ///< weight of the squared error at the pixel in a plane's cost
-    double middle_share = 0.4;  ///< a pixel's own plane counts only so much of its cost
+    double middle_share = 0.4;  ///< factor on the cost of the plane of the pixel itself
   };
 
   SurfaceReference(const Intrinsics& K, std::vector<float> depth, const Constants& constants)
       : K_(K), depth_(std::move(depth)), constants_(constants) {}
 
-  /// Least squares over the window's pixels whose depth differs by at most `slope` pixel sizes (z / fx
-  /// along rows, z / fy along columns) a pixel of distance along one of the two; none with fewer than five of
-  /// them or all on one line.
+  /// Least squares over the pixels of the window whose depth differs by at most `slope` pixel sizes (z / fx
+  /// along rows, z / fy along columns) per pixel of distance along either. None with fewer than five such
+  /// pixels or all on one line.
   [[nodiscard]] InverseDepthPlane plane(int u, int v) const {
     InverseDepthPlane result;
     if (!has(u, v)) return result;
@@ -71,7 +71,7 @@ class SurfaceReference {
     return result;
   }
 
-  /// The point that a pixel sees, in the frame that `T` takes camera points to; w = 0: none.
+  /// The point of a pixel, in the target frame of `T`; w = 0 if none.
   [[nodiscard]] Eigen::Vector4d vertex(int u, int v, const Eigen::Isometry3d& T) const {
     if (!has(u, v)) return Eigen::Vector4d::Zero();
     const Eigen::Vector3d p = at(u, v) * ray(u, v);
@@ -80,11 +80,11 @@ class SurfaceReference {
 
   struct Normal {
     Eigen::Vector4d normal = Eigen::Vector4d::Zero();  ///< unit, towards the camera; w = 0: none
-    double margin = 1;  ///< how much dearer (relatively) the best plane that is another one is
+    double margin = 1;  ///< relative cost difference to the best different plane
   };
 
-  /// That of the cheapest plane around the pixels (u + i, v + j), i, j in {-R, 0, R}: an error of its own and
-  /// one at this pixel. `planes`: width * height, row by row.
+  /// The normal of the cheapest of the planes at (u + i, v + j), i, j in {-R, 0, R}. The cost combines the
+  /// error of the plane and its error at this pixel. `planes`: width * height, row by row.
   [[nodiscard]] Normal normal(int u, int v, const std::vector<InverseDepthPlane>& planes,
                               const Eigen::Matrix3d& R_world_camera) const {
     Normal result;

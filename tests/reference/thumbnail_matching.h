@@ -83,7 +83,7 @@ class ThumbnailMatching {
     return best;
   }
 
-  /// Each pixel (all channels together) takes the best of its 3 x 3 neighbours.
+  /// Each pixel (all channels together) uses the best of its 3 x 3 neighbours.
   [[nodiscard]] float shifted(const Warp& warp) const {
     const std::int8_t* q = variants_[warp.variant].fine.data();
     const std::int8_t* v = view_.fine.data();

@@ -21,8 +21,7 @@ CloudBrick::Point pointAt(int x, int y, int z) {
   return point;
 }
 
-/// A level surface through voxels of the brick (-1, 0, 2): rows of voxels on it, and some above at its
-/// fringe.
+/// A level surface through brick (-1, 0, 2): a layer of voxels on it, and a row above at its fringe.
 std::vector<CloudBrick::Point> plane() {
   std::vector<CloudBrick::Point> points;
   for (int y = 0; y < 8; ++y) {
@@ -35,25 +34,25 @@ std::vector<CloudBrick::Point> plane() {
   return points;
 }
 
-TEST(BrickShading, WhatIsTheSameLooksTheSame) { EXPECT_TRUE(hasSameAppearance(plane(), plane(), kSide_m)); }
+TEST(HasSameAppearance, IsTrue_ForEqualPoints) { EXPECT_TRUE(hasSameAppearance(plane(), plane(), kSide_m)); }
 
-TEST(BrickShading, InAnyOrder) {
+TEST(HasSameAppearance, IgnoresTheOrderOfPoints) {
   std::vector<CloudBrick::Point> turned = plane();
   std::ranges::reverse(turned);
   EXPECT_TRUE(hasSameAppearance(plane(), turned, kSide_m));
 }
 
-TEST(BrickShading, OneVoxelOfAnotherFragmentIsSeen) {
+TEST(HasSameAppearance, IsFalse_WhenOneFragmentDiffers) {
   std::vector<CloudBrick::Point> relabeled = plane();
   relabeled[20].fragment = kMug;
   EXPECT_FALSE(hasSameAppearance(plane(), relabeled, kSide_m));
 }
 
-TEST(BrickShading, WhatCameOrWentIsSeenUnlessItIsOnTheFringe) {
+TEST(HasSameAppearance, IgnoresAddedAndRemovedPoints_OnlyAtTheFringe) {
   std::vector<CloudBrick::Point> fewer = plane();
   fewer.erase(fewer.begin() + 10);
   EXPECT_FALSE(hasSameAppearance(plane(), fewer, kSide_m)) << "a hole";
-  EXPECT_FALSE(hasSameAppearance(fewer, plane(), kSide_m)) << "a hole that was closed";
+  EXPECT_FALSE(hasSameAppearance(fewer, plane(), kSide_m)) << "a closed hole";
   std::vector<CloudBrick::Point> without_fringe = plane();
   without_fringe.resize(64);
   EXPECT_TRUE(hasSameAppearance(plane(), without_fringe, kSide_m));
@@ -61,7 +60,7 @@ TEST(BrickShading, WhatCameOrWentIsSeenUnlessItIsOnTheFringe) {
   EXPECT_FALSE(hasSameAppearance({}, plane(), kSide_m));
 }
 
-TEST(BrickShading, ASurfaceBetweenTwoLayersOfVoxelsIsNoFringe) {
+TEST(HasSameAppearance, CountsPoints_BetweenTwoVoxelLayers) {
   std::vector<CloudBrick::Point> between = plane();
   for (CloudBrick::Point& point : between) point.height = 50;
   EXPECT_FALSE(hasSameAppearance({}, between, kSide_m));
@@ -70,7 +69,7 @@ TEST(BrickShading, ASurfaceBetweenTwoLayersOfVoxelsIsNoFringe) {
   EXPECT_FALSE(hasSameAppearance(fewer, between, kSide_m));
 }
 
-TEST(BrickShading, ColorsAndHeightsAreSeenWhereManyChanged) {
+TEST(HasSameAppearance, IsFalse_WhenManyColorsOrHeightsDiffer) {
   const auto changed = [](std::size_t count, auto&& change) {
     std::vector<CloudBrick::Point> points = plane();
     for (std::size_t i = 0; i < count; ++i) change(points[i]);
@@ -84,10 +83,10 @@ TEST(BrickShading, ColorsAndHeightsAreSeenWhereManyChanged) {
   EXPECT_TRUE(changed(20, redden));
   EXPECT_FALSE(changed(64, redden_a_little));
   EXPECT_TRUE(changed(20, lower));
-  EXPECT_FALSE(changed(64, hide_color)) << "it gets the colour of those around it";
+  EXPECT_FALSE(changed(64, hide_color)) << "it takes the colour of its neighbours";
 }
 
-TEST(BrickShading, NormalsOfANoisyPlaneBecomeAlike) {
+TEST(SmoothNormals, ReducesNoise_OnAPlane) {
   std::vector<CloudBrick::Point> points = plane();
   std::mt19937 random(1);
   std::normal_distribution<float> noise(0, 0.15F);
@@ -104,11 +103,11 @@ TEST(BrickShading, NormalsOfANoisyPlaneBecomeAlike) {
   const float before = meanTilt(points.begin(), points.begin() + kDrawn,
                                 [](const CloudBrick::Point& point) { return point.normal; });
   const float after = meanTilt(smooth.begin(), smooth.end(), [](PackedNormal normal) { return normal; });
-  // The mean of nine independent ones (six at a border) is off by a third (0.4) of what each is.
+  // The mean of nine independent normals (six at a border) has a third (0.4) of their error.
   EXPECT_LT(after, 0.5F * before);
 }
 
-TEST(BrickShading, NormalsAreNotSmoothedAcrossAnEdge) {
+TEST(SmoothNormals, KeepsNormals_AcrossAnEdge) {
   std::vector<CloudBrick::Point> points = plane();
   points.resize(64);
   for (int y = 0; y < 8; ++y) {

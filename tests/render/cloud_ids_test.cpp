@@ -1,4 +1,4 @@
-// What pointing says lies where, against what is drawn there.
+// Compares the id image for picking with the drawn image.
 #include <gtest/gtest.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
@@ -24,10 +24,10 @@ std::vector<CloudBrick> wallAndSquare() {
       for (int bx = -half; bx < half; ++bx) {
         CloudBrick brick{Eigen::Vector3i(bx, by, brick_z), 1, {}};
         for (int i = 0; i < 64; ++i) {
-          const Eigen::Vector3f place =
+          const Eigen::Vector3f position_m =
               kIdVoxel_m * (8 * brick.position.cast<float>() +
                             Eigen::Vector3f(static_cast<float>(i % 8), static_cast<float>(i / 8), 4));
-          brick.points.push_back({place.x(), place.y(), place.z(), fragment, {}, 0, {}});
+          brick.points.push_back({position_m.x(), position_m.y(), position_m.z(), fragment, {}, 0, {}});
         }
         bricks.push_back(std::move(brick));
       }
@@ -64,7 +64,7 @@ class CloudIdsTest : public testing::Test {
     scene_.drawIds(kIdSize, kIdSize, 1, ids_);
   }
 
-  /// Whether the drawn pixel has the hue of the region.
+  /// True if the drawn pixel has the hue of the region.
   bool isDrawnAs(int x, int y, RegionId region) {
     const Rgb color = regionColor(region);
     std::array<double, 3> drawn{};
@@ -84,7 +84,7 @@ class CloudIdsTest : public testing::Test {
   CloudIds ids_;
 };
 
-TEST_F(CloudIdsTest, SaysOfEveryPixelWhatIsDrawnThere) {
+TEST_F(CloudIdsTest, MatchTheDrawnRegion_AtEveryPixel) {
   std::mt19937 random(4);
   std::uniform_real_distribution<float> offset(-0.25F, 0.25F);
   for (const std::size_t budget : {1'000'000UL, 9'000UL}) {  // all points, and a coarse level
@@ -100,13 +100,13 @@ TEST_F(CloudIdsTest, SaysOfEveryPixelWhatIsDrawnThere) {
         }
       }
       EXPECT_GT(checked, 3000);
-      // Where two meet, half a pixel decides.
+      // Region borders may differ by half a pixel.
       EXPECT_GT(right, 0.985 * checked) << "view " << view << ", budget " << budget;
     }
   }
 }
 
-TEST_F(CloudIdsTest, TheNearestIsMetAndItsPlaceIsKnown) {
+TEST_F(CloudIdsTest, GiveFragmentAndPosition_OfTheNearestSurface) {
   render({0, 0, 0}, {0, 0, 1});
   const int middle = kIdSize / 2;
   EXPECT_EQ(ids_.fragmentAt(middle, middle), FragmentId{2});
@@ -114,7 +114,7 @@ TEST_F(CloudIdsTest, TheNearestIsMetAndItsPlaceIsKnown) {
   ASSERT_TRUE(near);
   EXPECT_NEAR(near->z(), (17 * 8 + 4) * kIdVoxel_m, 1e-3F);
   EXPECT_NEAR(near->x(), 0, 0.01F);
-  // 40 degrees are seen from top to bottom: at 50 pixels from the middle, 1.2 m away.
+  // The vertical field of view is 40 degrees. This pixel shows the wall at 1.2 m, 70 pixels from the middle.
   const auto far = ids_.pointAt(middle + 70, middle);
   ASSERT_TRUE(far);
   const float z = (25 * 8 + 4) * kIdVoxel_m;
@@ -123,7 +123,7 @@ TEST_F(CloudIdsTest, TheNearestIsMetAndItsPlaceIsKnown) {
   EXPECT_NEAR(far->x(), 70.5F / 120 * std::tan(20.0F * 3.14159265F / 180) * z, 0.004F);
 }
 
-TEST_F(CloudIdsTest, APartShowsWhatTheWholeShowsThere) {
+TEST_F(CloudIdsTest, OfAPartEqualTheCompleteImage) {
   render({0.1F, -0.05F, 0}, {0, 0, 1});
   CloudIds part_ids;
   for (const CloudIds::Part part : {CloudIds::Part{100, 60, 40, 30}, {0, 0, 9, 9}, {231, 231, 9, 9}}) {
@@ -132,45 +132,46 @@ TEST_F(CloudIdsTest, APartShowsWhatTheWholeShowsThere) {
     for (int y = 0; y < part.height; ++y) {
       for (int x = 0; x < part.width; ++x) {
         ASSERT_EQ(part_ids.fragmentAt(x, y), ids_.fragmentAt(part.x + x, part.y + y)) << x << ", " << y;
-        const auto in_part = part_ids.pointAt(x, y), in_whole = ids_.pointAt(part.x + x, part.y + y);
-        ASSERT_EQ(in_part.has_value(), in_whole.has_value());
+        const auto in_part = part_ids.pointAt(x, y), in_image = ids_.pointAt(part.x + x, part.y + y);
+        ASSERT_EQ(in_part.has_value(), in_image.has_value());
         if (in_part) {
-          EXPECT_LT((*in_part - *in_whole).norm(), 1e-4F);
+          EXPECT_LT((*in_part - *in_image).norm(), 1e-4F);
         }
       }
     }
   }
 }
 
-TEST_F(CloudIdsTest, SeenFinelyTheEdgeLiesWhereItIsHoweverCoarselyItWasDrawn) {
+TEST_F(CloudIdsTest, FineIdsAreIndependent_OfTheDrawnLevel) {
   render({0, 0, 0}, {0, 0, 1});
   const std::vector<FragmentId> exact = ids_.fragments();
   render({0, 0, 0}, {0, 0, 1}, 2'000);
-  ASSERT_NE(ids_.fragments(), exact) << "drawn as finely as before";
-  CloudIds finely;
-  scene_.drawIdsFinely(kIdSize, kIdSize, 1, {0, 0, kIdSize, kIdSize}, finely);
-  EXPECT_EQ(finely.fragments(), exact);
+  ASSERT_NE(ids_.fragments(), exact) << "the level of detail did not change";
+  CloudIds fine_ids;
+  scene_.drawIdsFinely(kIdSize, kIdSize, 1, {0, 0, kIdSize, kIdSize}, fine_ids);
+  EXPECT_EQ(fine_ids.fragments(), exact);
 }
 
-TEST_F(CloudIdsTest, TheMiddleOfAPixelShowsInPartsOfItWhatThePixelShows) {
+TEST_F(CloudIdsTest, FineIdsEqualCoarseOnes_AtPixelCentres) {
   render({0.1F, -0.05F, 0}, {0, 0, 1});
   constexpr int kParts = 3;
   const CloudIds::Part part{60, 40, 120, 90};
-  CloudIds finely;
+  CloudIds fine_ids;
   scene_.drawIdsFinely(kIdSize, kIdSize, kParts,
-                       {kParts * part.x, kParts * part.y, kParts * part.width, kParts * part.height}, finely);
+                       {kParts * part.x, kParts * part.y, kParts * part.width, kParts * part.height},
+                       fine_ids);
   int edges = 0;
   for (int y = 0; y < part.height; ++y) {
     for (int x = 0; x < part.width; ++x) {
-      const FragmentId middle = finely.fragmentAt(kParts * x + 1, kParts * y + 1);
+      const FragmentId middle = fine_ids.fragmentAt(kParts * x + 1, kParts * y + 1);
       ASSERT_EQ(middle, ids_.fragmentAt(part.x + x, part.y + y)) << x << ", " << y;
-      edges += middle != finely.fragmentAt(kParts * x, kParts * y + 1) ? 1 : 0;
+      edges += middle != fine_ids.fragmentAt(kParts * x, kParts * y + 1) ? 1 : 0;
     }
   }
   EXPECT_GT(edges, 10) << "no edge runs through a pixel";
 }
 
-TEST_F(CloudIdsTest, BesideTheSceneThereIsNothing) {
+TEST_F(CloudIdsTest, AreEmpty_BesideTheScene) {
   render({0, 0, 0}, {0, 0, -1});
   EXPECT_FALSE(ids_.fragmentAt(kIdSize / 2, kIdSize / 2));
   EXPECT_FALSE(ids_.pointAt(kIdSize / 2, kIdSize / 2));

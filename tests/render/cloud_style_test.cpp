@@ -14,7 +14,7 @@ CloudBrick::Point redPoint() {
   return point;
 }
 
-TEST(PointColor, IsTheScenesOrTheRegionsOrBetween) {
+TEST(PointColor, IsSceneRegionOrBlendedColor) {
   CloudStyle style;
   style.coloring = Coloring::scene;
   EXPECT_EQ(pointColor(style, redPoint(), kCup, 1), (Rgb{200, 40, 20}));
@@ -28,7 +28,7 @@ TEST(PointColor, IsTheScenesOrTheRegionsOrBetween) {
   }
 }
 
-TEST(PointColor, OfTheSceneHardlyChangesWithTheLight) {
+TEST(PointColor, OfTheSceneDependsLittleOnLight) {
   CloudStyle style;
   style.coloring = Coloring::scene;
   const Rgb dark = pointColor(style, redPoint(), kCup, 0.6F);
@@ -36,7 +36,7 @@ TEST(PointColor, OfTheSceneHardlyChangesWithTheLight) {
   EXPECT_LT(dark[0], 200);
 }
 
-TEST(PointColor, UnseenIsGrayAndNotBlack) {
+TEST(PointColor, IsGray_WithoutColor) {
   CloudStyle style;
   style.coloring = Coloring::scene;
   CloudBrick::Point point = redPoint();
@@ -44,18 +44,18 @@ TEST(PointColor, UnseenIsGrayAndNotBlack) {
   EXPECT_GT(pointColor(style, point, kCup, 1)[1], 100);
 }
 
-TEST(PointColor, TellsDirections) {
+TEST(PointColor, EncodesNormals) {
   CloudStyle style;
   style.coloring = Coloring::normals;
   CloudBrick::Point point = redPoint();
-  EXPECT_GT(pointColor(style, point, kCup, 1)[2], 250) << "upwards is blue";
+  EXPECT_GT(pointColor(style, point, kCup, 1)[2], 250) << "normals that point up are blue";
   point.normal = PackedNormal::of(Eigen::Vector3f::UnitY());
   EXPECT_LT(pointColor(style, point, kCup, 1)[2], 5);
   point.normal = PackedNormal::of(Eigen::Vector3f::UnitX());
   EXPECT_NEAR(pointColor(style, point, kCup, 1)[2], 128, 2);
 }
 
-TEST(PointColor, TellsHeightsAlongUp) {
+TEST(PointColor, EncodesHeights_AlongUp) {
   CloudStyle style;
   style.coloring = Coloring::height;
   style.low_m = 0;
@@ -68,7 +68,7 @@ TEST(PointColor, TellsHeightsAlongUp) {
   EXPECT_EQ(heightColor(3), heightColor(1));
 }
 
-TEST(PointColor, OfBackgroundIsDimmedOrHidden) {
+TEST(PointColor, DimsOrHidesBackground) {
   CloudStyle style;
   style.background = {kTable};
   EXPECT_EQ(pointColor(style, redPoint(), kTable, 1), regionColor(kTable));

@@ -8,9 +8,9 @@ using test::SceneTest;
 
 class SceneAppearanceTest : public SceneTest {
  protected:
-  /// The wall of the fixture as a camera sees one: coloured, with normals towards it, `lift` hundredths of a
-  /// voxel behind the voxels' centres.
-  static std::vector<CloudBrick> seenWall(std::uint32_t left, std::uint32_t right, std::int8_t lift = 0) {
+  /// The wall of the fixture with colours and normals; its surface is `lift` hundredths of a voxel behind the
+  /// voxel centres.
+  static std::vector<CloudBrick> coloredWall(std::uint32_t left, std::uint32_t right, std::int8_t lift = 0) {
     std::vector<CloudBrick> bricks = wall(64, left, right);
     for (CloudBrick& brick : bricks) {
       for (CloudBrick::Point& p : brick.points) {
@@ -23,8 +23,8 @@ class SceneAppearanceTest : public SceneTest {
   }
 };
 
-TEST_F(SceneAppearanceTest, ColoringShowsAtOnce) {
-  show(seenWall(1, 2), {{0}, {7}, {9}});
+TEST_F(SceneAppearanceTest, RedrawsAtOnce_WhenTheColoringChanges) {
+  show(coloredWall(1, 2), {{0}, {7}, {9}});
   render();
   EXPECT_TRUE(hasHueOf(pixel(100, 120), regionColor(RegionId{7})));
   scene_.setColoring(Coloring::scene);
@@ -33,12 +33,12 @@ TEST_F(SceneAppearanceTest, ColoringShowsAtOnce) {
   EXPECT_TRUE(hasHueOf(pixel(100, 120), {30, 180, 60}));
   EXPECT_TRUE(hasHueOf(pixel(140, 120), {30, 180, 60}));
   scene_.setColoring(Coloring::scene);
-  EXPECT_TRUE(scene_.cloud().upToDate()) << "nothing was changed";
+  EXPECT_TRUE(scene_.cloud().upToDate()) << "the coloring did not change";
 }
 
-TEST_F(SceneAppearanceTest, DiscsCloseTheSurfaceSeenAslantAndFromNear) {
+TEST_F(SceneAppearanceTest, DiscsCloseTheSurface_AtObliqueAndNearViews) {
   scene_.setColoring(Coloring::scene);
-  show(seenWall(1, 1), {{0}, {7}});
+  show(coloredWall(1, 1), {{0}, {7}});
   for (const Eigen::Vector3f& eye :
        {Eigen::Vector3f(0.8F, 0, 0.55F), Eigen::Vector3f(0, 0, 0.8F), Eigen::Vector3f(0, -0.5F, 0.3F)}) {
     scene_.viewpoint().setUp(-Eigen::Vector3f::UnitY());
@@ -53,8 +53,8 @@ TEST_F(SceneAppearanceTest, DiscsCloseTheSurfaceSeenAslantAndFromNear) {
   }
 }
 
-TEST_F(SceneAppearanceTest, AnOutlineNotSeenInColorTakesTheColorBesideIt) {
-  std::vector<CloudBrick> bricks = seenWall(1, 1);
+TEST_F(SceneAppearanceTest, PointsWithoutColorTakeTheColorOfTheirNeighbors) {
+  std::vector<CloudBrick> bricks = coloredWall(1, 1);
   for (CloudBrick& brick : bricks) {
     for (std::size_t i = 0; i < brick.points.size(); i += 3) brick.points[i].color = {};
   }
@@ -64,7 +64,7 @@ TEST_F(SceneAppearanceTest, AnOutlineNotSeenInColorTakesTheColorBesideIt) {
   for (int x = 100; x < 140; ++x) EXPECT_TRUE(hasHueOf(pixel(x, 120), {30, 180, 60})) << x;
 }
 
-TEST_F(SceneAppearanceTest, BackgroundIsDimmedOrHiddenAndComesBack) {
+TEST_F(SceneAppearanceTest, BackgroundIsDimmedHiddenAndRestored) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   const Rgb usual = pixel(100, 120);
@@ -83,7 +83,7 @@ TEST_F(SceneAppearanceTest, BackgroundIsDimmedOrHiddenAndComesBack) {
   EXPECT_EQ(pixel(100, 120), usual);
 }
 
-TEST_F(SceneAppearanceTest, WhatIsNearerThanTheCutIsNotSeen) {
+TEST_F(SceneAppearanceTest, HidesSurface_NearerThanTheClipDistance) {
   show(wall(64, 1, 1), {{0}, {7}});
   scene_.setClipDistance(0.05F);
   render();
@@ -95,16 +95,17 @@ TEST_F(SceneAppearanceTest, WhatIsNearerThanTheCutIsNotSeen) {
   EXPECT_FALSE(scene_.clipDistance());
 }
 
-TEST_F(SceneAppearanceTest, PointsLieOnTheSurfaceBesideTheirVoxels) {
-  // Half a voxel over the surface, whose normal is -z: it lies half a voxel farther along z.
-  show(seenWall(1, 1, 50), {{0}, {7}});
+TEST_F(SceneAppearanceTest, DrawsPoints_OnTheSurface) {
+  // The voxel centres are half a voxel above the surface (normal -z), so it lies half a voxel farther along
+  // z.
+  show(coloredWall(1, 1, 50), {{0}, {7}});
   const auto picked = scene_.cloud().pick({0, 0, 0}, {0, 0, 1}, 0.001F);
   ASSERT_TRUE(picked);
   EXPECT_NEAR(picked->z(), kVoxel_m * (std::floor(1 / kVoxel_m) + 0.5F), 1e-4);
 }
 
-TEST_F(SceneAppearanceTest, TheMiddleOfTheViewIsFinestWithinABudget) {
-  // Half a metre away a voxel has several pixels: a coarse level would show as blocks.
+TEST_F(SceneAppearanceTest, DrawsTheMiddleOfTheViewFinest_WithinABudget) {
+  // Half a metre away a voxel covers several pixels, so a coarse level would show blocks.
   show(wall(384, 1, 1), {{0}, {7}});
   scene_.viewpoint().setUp(-Eigen::Vector3f::UnitY());
   scene_.viewpoint().lookAt({0, 0, 0.5F}, {0, 0, 1});
@@ -113,7 +114,7 @@ TEST_F(SceneAppearanceTest, TheMiddleOfTheViewIsFinestWithinABudget) {
   EXPECT_GT(scene_.cloud().drawnPointCount(), 384U * 384U / 64);
 }
 
-TEST_F(SceneAppearanceTest, AMeasuredLineIsSeenThroughTheSurface) {
+TEST_F(SceneAppearanceTest, DrawsTheMeasuredLine_ThroughTheSurface) {
   show(wall(64, 1, 1), {{0}, {7}});
   scene_.showMeasure({{-0.1F, 0, 1.2F}, {0.1F, 0, 1.2F}});
   render();

@@ -16,7 +16,7 @@ namespace scantrove::test {
 inline constexpr int kSize = 240;
 inline constexpr float kVoxel_m = 3.0F / 512.0F;
 
-/// A scene in a window nobody sees.
+/// A scene in an off-screen window.
 class SceneTest : public testing::Test {
  protected:
   SceneTest() : window_(vtkSmartPointer<vtkRenderWindow>::New()) {
@@ -29,7 +29,8 @@ class SceneTest : public testing::Test {
   }
   ~SceneTest() override { window_->Finalize(); }
 
-  /// A wall of `side` x `side` voxels at depth 1 m, labelled `left` and `right` of the optical axis.
+  /// A wall of `side` x `side` voxels at 1 m; fragment `left` is left of the optical axis, `right` right of
+  /// it.
   static std::vector<CloudBrick> wall(int side, std::uint32_t left, std::uint32_t right,
                                       std::uint64_t version = 1) {
     std::vector<CloudBrick> bricks;
@@ -57,14 +58,14 @@ class SceneTest : public testing::Test {
     scene_.update(snapshot);
   }
 
-  /// Renders from the origin along +z with y down, as a camera at the identity pose sees it.
+  /// Renders the view of a camera at the identity pose: along +z with y down.
   void render(std::size_t budget = 1'000'000) {
     scene_.viewpoint().setUp(-Eigen::Vector3f::UnitY());
     scene_.viewpoint().lookAt({0, 0, 0}, {0, 0, 1});
     renderFromHere(budget);
   }
 
-  /// Whether all that changed was rebuilt.
+  /// Returns true if all changes were rebuilt.
   bool renderFromHere(std::size_t budget = 1'000'000, std::size_t rebuild_budget = 10'000'000) {
     const bool is_complete = scene_.prepare(kSize, kSize, budget, rebuild_budget);
     window_->Render();

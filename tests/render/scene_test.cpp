@@ -7,11 +7,11 @@ namespace {
 
 using test::SceneTest;
 
-TEST_F(SceneTest, PointsHaveTheirRegionsColorsAndCloseTheSurface) {
+TEST_F(SceneTest, PointsHaveRegionColorsAndCloseTheSurface) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   EXPECT_EQ(scene_.cloud().pointCount(), 64U * 64U);
-  // x grows to the right, as in the image of the sensor.
+  // x points right, as in the image of the sensor.
   for (int y = 90; y < 150; y += 7) {
     for (int x = 90; x < 115; x += 3) {
       EXPECT_TRUE(hasHueOf(pixel(x, y), regionColor(RegionId{7}))) << x << "," << y;
@@ -30,8 +30,8 @@ TEST_F(SceneTest, MergedRegionsAreRecolored) {
   EXPECT_TRUE(hasHueOf(pixel(140, 120), regionColor(RegionId{7})));
 }
 
-// While a scan changes everything, what a person changed is drawn first.
-TEST_F(SceneTest, WhatAPersonChangedIsDrawnBeforeWhatWaitsLonger) {
+// A scan may change all bricks, but changes by a person are drawn first.
+TEST_F(SceneTest, DrawsUserChangesFirst) {
   std::vector<CloudBrick> bricks = wall(512, 1, 2);
   for (CloudBrick& brick : bricks) {
     const bool is_within = (brick.position.head<2>().array() >= 0).all() && brick.position.x() < 8 &&
@@ -49,11 +49,10 @@ TEST_F(SceneTest, WhatAPersonChangedIsDrawnBeforeWhatWaitsLonger) {
   scene_.update(snapshot);
   EXPECT_FALSE(renderFromHere(1'000'000, 1));
   EXPECT_TRUE(hasHueOf(pixel(130, 130), regionColor(RegionId{33})));
-  EXPECT_FALSE(scene_.cloud().upToDate()) << "the others still wait";
+  EXPECT_FALSE(scene_.cloud().upToDate()) << "other changes still wait";
 }
 
-// A drawing in parts is the one that would have been made at once.
-TEST_F(SceneTest, PartsDrawnOneOverTheOtherAreTheWhole) {
+TEST_F(SceneTest, DrawingInPartsEqualsDrawingAtOnce) {
   show(wall(512, 1, 2), {{}, RegionId{4}, RegionId{9}});
   scene_.setGridVisible(true);
   render();
@@ -61,10 +60,10 @@ TEST_F(SceneTest, PartsDrawnOneOverTheOtherAreTheWhole) {
     const auto* first = pixels_->GetPointer(0);
     return std::vector<unsigned char>(first, first + pixels_->GetNumberOfValues());
   };
-  const std::vector<unsigned char> whole = pixels();
-  scene_.viewpoint().orbit(0.5F, 0.2F);  // something else is there before
+  const std::vector<unsigned char> complete = pixels();
+  scene_.viewpoint().orbit(0.5F, 0.2F);  // another image is drawn before
   renderFromHere();
-  ASSERT_NE(pixels(), whole);
+  ASSERT_NE(pixels(), complete);
   scene_.viewpoint().setUp(-Eigen::Vector3f::UnitY());
   scene_.viewpoint().lookAt({0, 0, 0}, {0, 0, 1});
   scene_.prepare(test::kSize, test::kSize, 1'000'000, 10'000'000);
@@ -76,9 +75,9 @@ TEST_F(SceneTest, PartsDrawnOneOverTheOtherAreTheWhole) {
   } while (scene_.nextPart());
   readPixels();
   EXPECT_EQ(parts, 4) << "one for each chunk in view";
-  EXPECT_EQ(pixels(), whole);
+  EXPECT_EQ(pixels(), complete);
   renderFromHere();
-  EXPECT_EQ(pixels(), whole) << "and all at once again";
+  EXPECT_EQ(pixels(), complete) << "drawn at once again";
 }
 
 TEST_F(SceneTest, NewerBrickReplacesAndOlderIsIgnored) {
@@ -92,7 +91,7 @@ TEST_F(SceneTest, NewerBrickReplacesAndOlderIsIgnored) {
   EXPECT_EQ(scene_.cloud().pointCount(), 64U * 64U);
 }
 
-TEST_F(SceneTest, FewerPointsWithinABudgetStillCloseTheSurface) {
+TEST_F(SceneTest, CloseTheSurface_WithFewPoints) {
   show(wall(128, 1, 1), {{0}, {7}});
   render(3000);
   EXPECT_LE(scene_.cloud().drawnPointCount(), 3000U);
@@ -103,7 +102,7 @@ TEST_F(SceneTest, FewerPointsWithinABudgetStillCloseTheSurface) {
   EXPECT_GT(covered, 80 * 80 * 8 / 10);
 }
 
-TEST_F(SceneTest, WhatIsSelectedIsNotDrawnInBlocksUnlessItIsAll) {
+TEST_F(SceneTest, DrawsASelectionFinely_UnlessItIsAll) {
   constexpr std::size_t kBudget = 8000;
   std::vector<CloudBrick> bricks = wall(512, 1, 1);
   for (CloudBrick& brick : bricks) {
@@ -115,12 +114,12 @@ TEST_F(SceneTest, WhatIsSelectedIsNotDrawnInBlocksUnlessItIsAll) {
   const std::size_t coarse = scene_.cloud().drawnPointCount();
   scene_.setSelected({RegionId{9}});
   render(kBudget);
-  // One chunk of 128 x 128 points has every fourth of them instead of every sixteenth at most.
+  // One chunk of 128 x 128 points has at least every fourth point instead of at most every sixteenth.
   EXPECT_GE(scene_.cloud().drawnPointCount(), coarse + 128 * 128 / 4 - 128 * 128 / 16);
   EXPECT_LE(scene_.cloud().drawnPointCount(), kBudget + 128 * 128 / 4);
   scene_.setSelected({RegionId{7}});
   render(kBudget);
-  EXPECT_EQ(scene_.cloud().drawnPointCount(), coarse) << "there is no room for all of it";
+  EXPECT_EQ(scene_.cloud().drawnPointCount(), coarse) << "the budget does not allow all points";
   ScanSnapshot joined;
   joined.changed_regions.push_back({FragmentId{2}, RegionId{8}});
   scene_.update(joined);
@@ -132,7 +131,7 @@ TEST_F(SceneTest, WhatIsSelectedIsNotDrawnInBlocksUnlessItIsAll) {
   EXPECT_EQ(scene_.cloud().drawnPointCount(), coarse);
 }
 
-TEST_F(SceneTest, ClearEmptiesIt) {
+TEST_F(SceneTest, ClearRemovesAllPoints) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   scene_.clear();
@@ -143,21 +142,20 @@ TEST_F(SceneTest, ClearEmptiesIt) {
   EXPECT_FALSE(hasHueOf(middle, regionColor(RegionId{7})));
 }
 
-TEST_F(SceneTest, ViewpointCirclesItsTargetAndStaysUpright) {
+TEST_F(SceneTest, OrbitKeepsDistanceAndStaysUpright) {
   OrbitCamera camera;
   camera.setUp(-Eigen::Vector3f::UnitY());
   camera.lookAt({0, -1, 0}, {0, 0, 2});
   const float distance = camera.distance();
   camera.orbit(1.0F, 0.4F);
   EXPECT_NEAR((camera.eye() - camera.target()).norm(), distance, 1e-4F);
-  camera.orbit(0, 10);  // over the top is stopped short of it
+  camera.orbit(0, 10);  // stops just before the top
   EXPECT_GT((camera.eye() - camera.target()).normalized().dot(camera.up()), 0.98F);
   EXPECT_LT((camera.eye() - camera.target()).normalized().dot(camera.up()), 0.9999F);
 }
 
-TEST_F(SceneTest, WhatArrivesDoesNotTurnAViewThatAPersonTook) {
-  // A floor seen by a camera that looks 40 degrees down on it: upright is -z and not what the camera holds
-  // up.
+TEST_F(SceneTest, KeepsAUserView_WhenBricksArrive) {
+  // A camera looks down on a floor by 40 degrees: up is -z, not the camera's up direction.
   ScanSnapshot snapshot;
   snapshot.frame_index = 0;
   snapshot.pose.state = TrackingState::tracking;

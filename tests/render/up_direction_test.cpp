@@ -25,16 +25,17 @@ std::vector<Eigen::Vector3f> room(const Eigen::Vector3f& floor, int floors, cons
   return normals;
 }
 
-/// Up and the horizontal backwards of a camera at the identity pose that looks `pitch` below the horizon.
+/// Up and horizontal backward directions for a camera at the identity pose that looks `pitch` below the
+/// horizon.
 Eigen::Vector3f upAt(float pitch) { return {0, -std::cos(pitch), -std::sin(pitch)}; }
 Eigen::Vector3f backAt(float pitch) { return {0, std::sin(pitch), -std::cos(pitch)}; }
 
-TEST(FindUp, TakesTheFloorOverTheCamerasTilt) {
+TEST(FindUp, UsesTheFloor_WhenTheCameraIsTilted) {
   const Eigen::Vector3f up = findUp(room(upAt(0.6F), 270, backAt(0.6F), 130), Eigen::Matrix3f::Identity());
   EXPECT_GT(up.dot(upAt(0.6F)), 0.999F);
 }
 
-TEST(FindUp, TellsAWallFromATableWhenLookingDownSteeply) {
+TEST(FindUp, DistinguishesWallAndTable_AtAnyPitch) {
   for (const float pitch : {0.1F, 0.5F, 0.9F, 1.2F}) {
     const Eigen::Vector3f up =
         findUp(room(upAt(pitch), 100, backAt(pitch), 400), Eigen::Matrix3f::Identity());
@@ -42,7 +43,7 @@ TEST(FindUp, TellsAWallFromATableWhenLookingDownSteeply) {
   }
 }
 
-TEST(FindUp, KeepsTheGuessWithoutEvidence) {
+TEST(FindUp, KeepsTheGuess_WithoutEvidence) {
   const Eigen::Vector3f guess = -Eigen::Vector3f::UnitY();
   EXPECT_EQ(findUp({}, Eigen::Matrix3f::Identity()), guess);
   EXPECT_EQ(findUp(std::vector<Eigen::Vector3f>(10, Eigen::Vector3f::UnitX()), Eigen::Matrix3f::Identity()),

@@ -13,10 +13,10 @@
 namespace scantrove {
 namespace {
 
-// Kernel and reference divide the same integers; OpenCL allows the division 2.5 ulp.
+// Kernel and reference divide equal integers; OpenCL allows 2.5 ulp of error.
 constexpr float kTolerance = 2e-6F;
 
-/// Smooth blobs, so that warps matter, with a background of 0.
+/// Smooth blobs on a background of 0, so that warps have an effect.
 Thumbnail blobs(unsigned seed) {
   std::mt19937 random(seed);
   const auto draw = [&](float low, float high) {
@@ -51,7 +51,7 @@ Thumbnail extremes(unsigned seed) {
   return thumbnail;
 }
 
-/// `source` mirrored about the vertical axis and moved by (dx, dy), 0 where nothing comes from.
+/// `source` mirrored about the vertical axis and moved by (dx, dy); uncovered pixels are 0.
 Thumbnail moved(const Thumbnail& source, int dx, int dy, bool mirror) {
   Thumbnail result;
   for (int c = 0; c < 3; ++c) {
@@ -105,7 +105,7 @@ TEST_P(ThumbnailMatcherTest, EqualsTheReference) {
   }
 }
 
-TEST_P(ThumbnailMatcherTest, TheSameIsAtDistanceZeroAlsoMirroredAndMoved) {
+TEST_P(ThumbnailMatcherTest, DistanceIsSmall_WhenMirroredOrMoved) {
   const Thumbnail view = blobs(5);
   matcher_->append(view);
   const std::vector<Thumbnail> queries = {view,
@@ -118,23 +118,23 @@ TEST_P(ThumbnailMatcherTest, TheSameIsAtDistanceZeroAlsoMirroredAndMoved) {
       matcher_->distances(queries, {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}});
   EXPECT_EQ(distances[0], 0);
   EXPECT_EQ(distances[3], 0);
-  // What was moved out of the thumbnail is lost.
+  // Pixels moved out of the thumbnail are lost.
   for (const int i : {1, 2, 4}) EXPECT_LT(distances[static_cast<std::size_t>(i)], 0.12F) << i;
   EXPECT_GT(distances[5], 0.5F);
 }
 
-TEST_P(ThumbnailMatcherTest, NothingIsUnrelated) {
+TEST_P(ThumbnailMatcherTest, DistanceIsTwo_BetweenEmptyThumbnails) {
   matcher_->append(Thumbnail{});
   EXPECT_EQ(matcher_->distances({Thumbnail{}}, {{0, 0}}), std::vector<float>{2.0F});
   EXPECT_TRUE(matcher_->distances({blobs(1)}, {}).empty());
 }
 
-TEST_P(ThumbnailMatcherTest, KeepsPlacesWhenItGrowsAndWhereverABatchEnds) {
+TEST_P(ThumbnailMatcherTest, KeepsPositions_WhenItGrows) {
   constexpr unsigned kViews = 600;
   std::vector<Thumbnail> views;
   for (unsigned i = 0; i < kViews; ++i) views.push_back(blobs(i));
-  const auto expectAt = [&](int place, unsigned seed) {
-    EXPECT_EQ(matcher_->distances({views[seed]}, {{0, place}}), std::vector<float>{0.0F}) << place;
+  const auto expectAt = [&](int position, unsigned seed) {
+    EXPECT_EQ(matcher_->distances({views[seed]}, {{0, position}}), std::vector<float>{0.0F}) << position;
   };
   for (unsigned i = 0; i < kViews; ++i) {
     matcher_->append(views[i]);

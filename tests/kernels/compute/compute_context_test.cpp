@@ -17,7 +17,7 @@ namespace {
 using test::onEachDevice;
 using testing::HasSubstr;
 
-TEST(Buffer, GivesBackWhatWasWritten) {
+TEST(Buffer, ReadsBackWhatWasWritten) {
   onEachDevice([](ComputeContext& compute) {
     Buffer<int> buffer(compute.context(), 10);
     EXPECT_EQ(buffer.size(), 10U);
@@ -32,7 +32,7 @@ TEST(Buffer, GivesBackWhatWasWritten) {
   });
 }
 
-TEST(Buffer, MayBeEmptyAndCopiesShareTheMemory) {
+TEST(Buffer, CanBeEmptyAndCopiesShareTheMemory) {
   onEachDevice([](ComputeContext& compute) {
     Buffer<float> empty(compute.context(), 0);
     EXPECT_TRUE(empty.read(compute.queue()).empty());
@@ -44,7 +44,7 @@ TEST(Buffer, MayBeEmptyAndCopiesShareTheMemory) {
   });
 }
 
-TEST(BufferDeathTest, StopsAtAccessBeyondItsEnd) {
+TEST(BufferDeathTest, StopsTheProgram_WhenAccessedBeyondItsEnd) {
   auto compute = ComputeContext::create({});
   ASSERT_TRUE(compute) << compute.error().message();
   Buffer<int> buffer((*compute)->context(), 4);
@@ -88,7 +88,7 @@ TEST(Kernel, RoundsBothAxesUp) {
   });
 }
 
-TEST(Kernel, TakesTransformsAsTheHostMeansThem) {
+TEST(Kernel, TransformsPointsAsTheHostDoes) {
   onEachDevice([](ComputeContext& compute) {
     auto kernel = compute.kernel(kernels::scale_values, "move_point");
     ASSERT_TRUE(kernel) << kernel.error().message();
@@ -117,12 +117,12 @@ TEST(ComputeContext, BuildsOneFileWithDifferentOptions) {
   });
 }
 
-TEST(ComputeContext, ABuildThatFailsShowsTheRealFileAndLine) {
+TEST(ComputeContext, NamesFileAndLine_WhenABuildFails) {
   onEachDevice([](ComputeContext& compute) {
     const auto kernel = compute.kernel(kernels::broken_kernel, "broken_kernel", "-DSOME_OPTION=1");
     ASSERT_FALSE(kernel);
     const std::string message = kernel.error().message();
-    // NVIDIA's compiler passes over #line: of it, the file's name is in the message all the same.
+    // NVIDIA's compiler ignores line numbers of #line, but its message includes the file name.
     EXPECT_THAT(message, HasSubstr(compute.isCpu() ? "test_kernels/broken_kernel.cl:7"
                                                    : "test_kernels/broken_kernel.cl"));
     EXPECT_THAT(message, HasSubstr("no_such_value"));
@@ -131,27 +131,27 @@ TEST(ComputeContext, ABuildThatFailsShowsTheRealFileAndLine) {
   });
 }
 
-/// A build option that no build had before, so that no cache of a driver knows the kernel.
-std::string neverBuilt() {
+/// A unique build option, so that no driver cache contains the kernel.
+std::string uniqueOption() {
   return "-DNEVER_BUILT=" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count());
 }
 
-TEST(ComputeContext, ABuildThatSucceedsIsSilent) {
+TEST(ComputeContext, PrintsNothing_WhenABuildSucceeds) {
   onEachDevice([](ComputeContext& compute) {
     testing::internal::CaptureStderr();
-    const auto kernel = compute.kernel(kernels::remarked_kernel, "count_up", neverBuilt());
+    const auto kernel = compute.kernel(kernels::remarked_kernel, "count_up", uniqueOption());
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     ASSERT_TRUE(kernel) << kernel.error().message();
   });
 }
 
-// A GPU's driver compiles so small a kernel in no time worth a message, or in a process of its own.
-TEST(ComputeContext, SaysOnceThatAProcessorsDriverCompilesAndNotWhenItNeedNot) {
+// Processors only: a GPU's driver compiles this small kernel too fast for a message, or in another process.
+TEST(ComputeContext, ReportsCompilingOnce_WhenADriverCacheIsEmpty) {
   const std::vector<DeviceInfo> devices = listDevices();
   const auto processor = std::ranges::find(devices, false, &DeviceInfo::is_gpu);
   if (processor == devices.end())
     GTEST_SKIP() << "no processor among the OpenCL devices: install pocl-opencl-icd";
-  const std::string options = neverBuilt();
+  const std::string options = uniqueOption();
   int calls = 0;
   const auto build = [&](const std::vector<std::string>& all_options) {
     auto compute = ComputeContext::create(
@@ -168,7 +168,7 @@ TEST(ComputeContext, SaysOnceThatAProcessorsDriverCompilesAndNotWhenItNeedNot) {
   EXPECT_EQ(calls, 1) << "the driver has both in its cache";
 }
 
-TEST(ComputeContext, AKernelThatIsNotInTheFileIsNamed) {
+TEST(ComputeContext, NamesTheKernel_WhenItsFileLacksIt) {
   auto compute = ComputeContext::create({});
   ASSERT_TRUE(compute) << compute.error().message();
   const auto kernel = (*compute)->kernel(kernels::scale_values, "sing_a_song");

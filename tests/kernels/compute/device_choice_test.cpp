@@ -18,7 +18,7 @@ std::string nameOf(const cl::Device& device) {
   return name;
 }
 
-class DeviceChoice : public testing::Test {
+class DeviceChoiceTest : public testing::Test {
  protected:
   void SetUp() override {
     unsetenv("SCANTROVE_DEVICE");
@@ -30,8 +30,8 @@ class DeviceChoice : public testing::Test {
   std::vector<DeviceInfo> devices_;
 };
 
-// By its own, for nobody may have asked before.
-TEST(FirstDevices, AreThereForAllThreadsThatAskAtOnce) {
+// No earlier test of this process may list devices, so this is the first call.
+TEST(ListDevices, GivesEqualLists_WhenFirstCalledByManyThreads) {
   std::vector<std::size_t> found(4);
   {
     std::vector<std::jthread> threads;
@@ -41,7 +41,7 @@ TEST(FirstDevices, AreThereForAllThreadsThatAskAtOnce) {
   EXPECT_THAT(found, testing::Each(found.front()));
 }
 
-TEST_F(DeviceChoice, ListsGpusFirstWithRunningIndices) {
+TEST_F(DeviceChoiceTest, ListsGpusFirstWithRunningIndices) {
   for (std::size_t i = 0; i < devices_.size(); ++i) {
     EXPECT_EQ(devices_[i].index, static_cast<int>(i));
     EXPECT_FALSE(devices_[i].name.empty());
@@ -52,9 +52,11 @@ TEST_F(DeviceChoice, ListsGpusFirstWithRunningIndices) {
       std::is_partitioned(devices_.begin(), devices_.end(), [](const DeviceInfo& d) { return d.is_gpu; }));
 }
 
-TEST_F(DeviceChoice, TakesTheFirstUnlessTold) { EXPECT_EQ(nameOf(*chooseDevice("")), devices_.front().name); }
+TEST_F(DeviceChoiceTest, TakesTheFirst_ByDefault) {
+  EXPECT_EQ(nameOf(*chooseDevice("")), devices_.front().name);
+}
 
-TEST_F(DeviceChoice, TakesAnIndexOrPartOfAName) {
+TEST_F(DeviceChoiceTest, TakesAnIndexOrPartOfAName) {
   const DeviceInfo& last = devices_.back();
   EXPECT_EQ(nameOf(*chooseDevice(std::to_string(last.index))), last.name);
   std::string part = last.name.substr(last.name.size() / 2);
@@ -65,7 +67,7 @@ TEST_F(DeviceChoice, TakesAnIndexOrPartOfAName) {
   EXPECT_THAT(nameOf(*chosen), HasSubstr(last.name.substr(last.name.size() / 2)));
 }
 
-TEST_F(DeviceChoice, AsksTheEnvironmentWhenNotTold) {
+TEST_F(DeviceChoiceTest, UsesTheEnvironment_WhenNoDeviceIsRequested) {
   setenv("SCANTROVE_DEVICE", "no such device", 1);
   const auto chosen = chooseDevice("");
   ASSERT_FALSE(chosen);
@@ -73,7 +75,7 @@ TEST_F(DeviceChoice, AsksTheEnvironmentWhenNotTold) {
   EXPECT_TRUE(chooseDevice("0"));
 }
 
-TEST_F(DeviceChoice, NamesWhatThereIsWhenNoneMatches) {
+TEST_F(DeviceChoiceTest, ListsDevices_WhenNoneMatches) {
   for (const std::string& requested : {std::string("warp drive"), std::string("99"), std::string("-1")}) {
     const auto chosen = chooseDevice(requested);
     ASSERT_FALSE(chosen) << requested;
@@ -82,7 +84,7 @@ TEST_F(DeviceChoice, NamesWhatThereIsWhenNoneMatches) {
   }
 }
 
-// PoCL's device for debugging, which locks itself out.
+// PoCL's device for debugging can deadlock.
 TEST(DeviceChoiceDeathTest, RefusesPoclsBasicDevice) {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
   setenv("POCL_DEVICES", "basic", 1);
@@ -100,8 +102,8 @@ TEST(DeviceChoiceDeathTest, RefusesPoclsBasicDevice) {
   unsetenv("POCL_DEVICES");
 }
 
-TEST(DeviceChoiceDeathTest, WithoutAnyDriverNamesThePackageToInstall) {
-  // The loader reads its folder of drivers once: a fresh process sees an empty one.
+TEST(DeviceChoiceDeathTest, NamesThePackage_WithoutAnyDriver) {
+  // The OpenCL loader reads its driver folder once, so this needs a new process.
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
   setenv("OCL_ICD_VENDORS", "/nonexistent-folder-of-drivers/", 1);
   EXPECT_EXIT(

@@ -19,7 +19,7 @@ std::optional<std::string> affinity() {
   return value == nullptr ? std::nullopt : std::optional<std::string>(value);
 }
 
-/// Leaves the environment as it was.
+/// Restores the environment.
 class DeviceThreadsTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -39,20 +39,20 @@ bool mayUseEveryCore() {
          CPU_COUNT(&usable) == ::sysconf(_SC_NPROCESSORS_CONF);
 }
 
-TEST_F(DeviceThreadsTest, AreKeptApartWhereEveryCoreMayBeUsed) {
+TEST_F(DeviceThreadsTest, ArePinned_WhenAllCoresAreUsable) {
   if (!mayUseEveryCore()) GTEST_SKIP() << "this program may not use every core";
   pinDeviceThreads();
   EXPECT_EQ(affinity(), "1");
 }
 
-TEST_F(DeviceThreadsTest, WhatTheEnvironmentSaysStands) {
+TEST_F(DeviceThreadsTest, KeepTheSettingOfTheEnvironment) {
   ::setenv(kVariable, "0", 1);
   pinDeviceThreads();
   EXPECT_EQ(affinity(), "0");
 }
 
-// PoCL would put its threads on cores that they may not use, and end the program.
-TEST_F(DeviceThreadsTest, AreLeftAloneWhereSomeCoresMayNotBeUsed) {
+// PoCL would pin threads to forbidden cores and end the program.
+TEST_F(DeviceThreadsTest, AreNotPinned_WhenSomeCoresAreForbidden) {
   if (!mayUseEveryCore()) GTEST_SKIP() << "this program may not use every core";
   if (::sysconf(_SC_NPROCESSORS_CONF) < 2) GTEST_SKIP() << "this computer has one core";
   std::thread([] {

@@ -23,7 +23,7 @@ using testing::IsEmpty;
 constexpr const char* kLibrary = "AB/PROGRAM/reduce/64-1-1/reduce.so";
 constexpr const char* kBitcode = "AB/PROGRAM/program.bc";
 
-/// Bitcode of two blocks, of one word and of two.
+/// Bitcode with a block of one word and a block of two.
 std::string bitcode() {
   std::string bytes;
   for (const std::uint32_t word : {0xDEC04342U, 0xC35U, 1U, 7U, 0xC21U, 2U, 8U, 9U})
@@ -31,7 +31,7 @@ std::string bitcode() {
   return bytes;
 }
 
-/// Leaves the environment as it was; the person's cache folder and TMPDIR are in a folder of the test.
+/// Puts the cache folder and TMPDIR into a folder of the test; restores the environment.
 class KernelCacheTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -102,7 +102,7 @@ TEST_F(KernelCacheTest, UsesPrivateFolder_WhenNoHomeIsSet) {
   EXPECT_TRUE(isPrivate(KernelCache()));
 }
 
-TEST_F(KernelCacheTest, TakesEmptyVariablesForUnset) {
+TEST_F(KernelCacheTest, TreatsEmptyVariablesAsUnset) {
   ::setenv("POCL_CACHE_DIR", "", 1);
   EXPECT_EQ(KernelCache().folder(), own());
   ::setenv("POCL_CACHE_DIR", "", 1);
@@ -111,7 +111,7 @@ TEST_F(KernelCacheTest, TakesEmptyVariablesForUnset) {
   EXPECT_EQ(KernelCache().folder(), folder_ / "home/.cache/scantrove/kernels");
 }
 
-TEST_F(KernelCacheTest, RemovesDamagedFilesOfOwnFolder) {
+TEST_F(KernelCacheTest, RemovesDamagedFiles_FromItsOwnFolder) {
   for (const std::string& damage : {std::string(), std::string("garbage"), bitcode().substr(0, 20)}) {
     fs::remove_all(own());
     fill(own());
@@ -126,7 +126,7 @@ TEST_F(KernelCacheTest, RemovesDamagedFilesOfOwnFolder) {
   }
 }
 
-TEST_F(KernelCacheTest, LeavesDamagedFilesOfOthersFolder) {
+TEST_F(KernelCacheTest, KeepsDamagedFiles_InAForeignFolder) {
   const fs::path others = folder_ / "others";
   fill(others);
   overwrite(others / kLibrary, "");
@@ -137,7 +137,7 @@ TEST_F(KernelCacheTest, LeavesDamagedFilesOfOthersFolder) {
   EXPECT_TRUE(fs::exists(others / kLibrary));
 }
 
-TEST_F(KernelCacheTest, NoticesDamageWithinFilesOfAnEarlierRun) {
+TEST_F(KernelCacheTest, FindsDamageInFiles_OfAnEarlierRun) {
   fill(own());
   { const KernelCache first; }
   EXPECT_THAT(damagedKernels(own()).value(), IsEmpty());
@@ -149,7 +149,7 @@ TEST_F(KernelCacheTest, NoticesDamageWithinFilesOfAnEarlierRun) {
   EXPECT_THAT(damagedKernels(own()).value(), ElementsAre(own() / kLibrary));
 }
 
-TEST_F(KernelCacheTest, SeesEachCutOfAFile) {
+TEST_F(KernelCacheTest, FindsTruncatedFiles) {
   fill(own());
   const std::string library = readText(own() / kLibrary);
   for (const std::size_t size : {std::size_t{0}, std::size_t{63}, library.size() / 2, library.size() - 1}) {

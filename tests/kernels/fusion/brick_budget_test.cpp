@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::size_t kGiB = std::size_t{1} << 30;
 
-TEST(BrickBudget, PoolsOfTwoKilobytesABrickGrowAsLongAsTheyFit) {
+TEST(BricksThatFit, FollowsBufferAndDeviceMemory) {
   EXPECT_EQ(bricksThatFit({64 * kGiB, kGiB}), 524288);  // 1 GiB in one buffer
   EXPECT_EQ(bricksThatFit({64 * kGiB, kGiB - 1}), 524287);
   EXPECT_EQ(bricksThatFit({kGiB, kGiB}), 149796);  // three pools and the old half of one
-  EXPECT_EQ(bricksThatFit({2000 * kGiB, 1000 * kGiB}), kMaxBricks) << "kernels could not count more voxels";
+  EXPECT_EQ(bricksThatFit({2000 * kGiB, 1000 * kGiB}), kMaxBricks) << "the limit of voxel indices in kernels";
 }
 
-TEST(BrickBudget, IsWhatWasAskedForOrAQuarterOfTheMachineAndNoMoreThanTheDeviceHas) {
+TEST(BrickBudget, IsTheRequestOrAQuarterOfMemory_WithinTheDevice) {
   test::onEachDevice([](ComputeContext& compute) {
     const double most = bricksThatFit(compute.memory());
     FusionParams params;

@@ -13,7 +13,7 @@ using Key = std::tuple<int, int, int>;
 
 Eigen::Vector3i toBrick(const Key& key) { return {std::get<0>(key), std::get<1>(key), std::get<2>(key)}; }
 
-// Bricks that start at the same entry, so that they stand in each other's way.
+// Bricks with hashes close together, so that they collide.
 std::vector<Key> crowdedKeys(std::size_t capacity, std::size_t count) {
   std::vector<Key> keys;
   for (int x = 0; keys.size() < count; ++x) {
@@ -25,7 +25,7 @@ std::vector<Key> crowdedKeys(std::size_t capacity, std::size_t count) {
 void insertAndEraseAtRandom(const std::vector<Key>& keys, unsigned seed, int steps) {
   BrickIndex index;
   std::map<Key, int> expected;
-  // What somebody has who is only told of changed entries.
+  // A copy that is updated only with the reported changes.
   std::vector<BrickEntry> mirror(index.entries().begin(), index.entries().end());
   std::mt19937 random(seed);
   for (int step = 0; step < steps; ++step) {
@@ -42,15 +42,15 @@ void insertAndEraseAtRandom(const std::vector<Key>& keys, unsigned seed, int ste
       mirror.assign(index.entries().begin(), index.entries().end());
     for (const std::size_t i : changed) mirror[i] = index.entries()[i];
     if (step % 97 != 0) continue;
-    for (const Key& asked : keys) {
-      const auto found = expected.find(asked);
-      ASSERT_EQ(index.slotOf(toBrick(asked)), found == expected.end() ? BRICK_NONE : found->second);
+    for (const Key& requested : keys) {
+      const auto found = expected.find(requested);
+      ASSERT_EQ(index.slotOf(toBrick(requested)), found == expected.end() ? BRICK_NONE : found->second);
     }
   }
   std::size_t used = 0;
   for (std::size_t i = 0; i < mirror.size(); ++i) {
     const BrickEntry& entry = index.entries()[i];
-    ASSERT_EQ(mirror[i].slot, entry.slot) << "entry " << i << " changed and nobody was told";
+    ASSERT_EQ(mirror[i].slot, entry.slot) << "entry " << i << " changed without a report";
     if (entry.slot != BRICK_NONE) {
       ASSERT_EQ(Key(mirror[i].x, mirror[i].y, mirror[i].z), Key(entry.x, entry.y, entry.z));
     }
@@ -59,18 +59,18 @@ void insertAndEraseAtRandom(const std::vector<Key>& keys, unsigned seed, int ste
   EXPECT_EQ(used, expected.size());
 }
 
-TEST(BrickIndex, HoldsWhatAMapWouldHoldAfterManyInsertionsAndDeletions) {
+TEST(BrickIndex, EqualsAMap_AfterManyInsertionsAndDeletions) {
   std::vector<Key> keys;
   for (int i = 0; i < 3000; ++i) keys.emplace_back(i % 15 - 7, i / 15 % 20, i / 300 - 5);
   insertAndEraseAtRandom(keys, 1, 20000);
 }
 
-TEST(BrickIndex, KeepsCrowdedBricksApartAcrossTheEndOfTheTable) {
+TEST(BrickIndex, HandlesCollisions_AcrossTheEndOfTheTable) {
   const std::size_t capacity = BrickIndex().entries().size();
   insertAndEraseAtRandom(crowdedKeys(capacity, 40), 2, 20000);
 }
 
-TEST(BrickIndex, GrowsAndShrinksWithoutForgetting) {
+TEST(BrickIndex, KeepsEntries_WhenItGrowsAndShrinks) {
   BrickIndex index;
   std::vector<std::size_t> changed;
   for (int i = 0; i < 40000; ++i) index.insert({i, i % 7, -i}, i);

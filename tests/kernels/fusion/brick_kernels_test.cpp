@@ -16,7 +16,7 @@ using reference::TiledDepth;
 constexpr int kTile = DEPTH_TILE;
 constexpr float kMaxDepth_m = 5.0F;
 
-/// A wall with a ball in front; in the upper half holes, as every number that is no reading.
+/// A wall with a ball in front. The upper half has holes of every invalid value.
 std::vector<float> depthWithHoles(const Intrinsics& K) {
   test::AnalyticScene scene;
   scene.plane({0, 0, 1.8}, {0.2, -0.3, -1}).sphere({0.1, 0, 1.2}, 0.3);
@@ -33,7 +33,7 @@ Kernel kernelOf(ComputeContext& compute, const char* name) {
   return *kernel;
 }
 
-/// The tiles' extents on the device.
+/// Extents of the tiles, on the device.
 Buffer<cl_float2> reduce(ComputeContext& compute, const Intrinsics& K, const std::vector<float>& depth_m) {
   Buffer<cl_float> depth(compute.context(), depth_m.size());
   depth.write(compute.queue(), depth_m);
@@ -68,7 +68,7 @@ TEST(ReduceDepthTiles, MatchesTheFormula) {
   });
 }
 
-TEST(FindBrickReadings, BoundsWhatVoxelsMeetAndMatchesTheFormula) {
+TEST(FindBrickReadings, BoundsTheReadingsAndMatchesTheFormula) {
   test::onEachDevice([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     const std::vector<float> depth_m = depthWithHoles(K);
@@ -78,7 +78,7 @@ TEST(FindBrickReadings, BoundsWhatVoxelsMeetAndMatchesTheFormula) {
     T_camera_window.linear() =
         kVoxel_m * Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
     T_camera_window.translation() << -1.3, -1.1, -0.2;
-    // From behind the camera to beyond the wall, and out of the image on all sides.
+    // Bricks from behind the camera to beyond the wall, and outside the image on all sides.
     std::vector<cl_int4> bricks;
     for (int z = -4; z < 32; z += 2) {
       for (int y = 0; y < 32; ++y) {
@@ -95,23 +95,23 @@ TEST(FindBrickReadings, BoundsWhatVoxelsMeetAndMatchesTheFormula) {
                 toKernel(kernel_T), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width}, cl_int{K.height},
                 reduce(compute, K, depth_m), kMaxDepth_m, readings);
     const std::vector<cl_float2> actual = readings.read(compute.queue());
-    int compared = 0, seen = 0, whole = 0;
+    int compared = 0, seen = 0, complete = 0;
     for (std::size_t i = 0; i < bricks.size(); ++i) {
       const Eigen::Vector3i brick(bricks[i].s[0], bricks[i].s[1], bricks[i].s[2]);
-      const DepthExtent met = reference.touchedBy(brick, T_camera_window);
-      ASSERT_LE(double{actual[i].s[0]}, met.smallest) << brick.transpose();
-      ASSERT_GE(double{actual[i].s[1]}, met.largest) << brick.transpose();
-      seen += met.largest > 0 ? 1 : 0;
+      const DepthExtent touched = reference.touchedBy(brick, T_camera_window);
+      ASSERT_LE(double{actual[i].s[0]}, touched.smallest) << brick.transpose();
+      ASSERT_GE(double{actual[i].s[1]}, touched.largest) << brick.transpose();
+      seen += touched.largest > 0 ? 1 : 0;
       const TiledDepth::Bounds expected = reference.boundsOf(brick, T_camera_window);
       if (!expected.decided) continue;
       ++compared;
-      whole += expected.extent.smallest > 0 ? 1 : 0;
+      complete += expected.extent.smallest > 0 ? 1 : 0;
       ASSERT_EQ(double{actual[i].s[0]}, expected.extent.smallest) << brick.transpose();
       ASSERT_EQ(double{actual[i].s[1]}, expected.extent.largest) << brick.transpose();
     }
     EXPECT_GT(compared, static_cast<int>(bricks.size()) * 9 / 10);
     EXPECT_GT(seen, 2000);
-    EXPECT_GT(whole, 100);
+    EXPECT_GT(complete, 100);
   });
 }
 

@@ -24,7 +24,7 @@ std::vector<cl_int> slotsInView(const BrickMap& map, const Eigen::Isometry3d& T_
 
 using Brick = Eigen::Vector3i;
 
-// What find_brick of brick_lookup.clh does, on the table read back from the device.
+// find_brick of brick_lookup.clh, on the table read back from the device.
 int lookUp(const std::vector<BrickEntry>& table, cl_uint mask, const Brick& brick) {
   cl_uint i = brick_hash(brick.x(), brick.y(), brick.z()) & mask;
   while (table[i].slot != BRICK_NONE) {
@@ -43,8 +43,7 @@ std::vector<Brick> randomBricks(std::size_t count, int extent, unsigned seed) {
   return bricks;
 }
 
-void expectDeviceTableIsTheHosts(ComputeContext& compute, const BrickMap& map,
-                                 const std::vector<Brick>& bricks) {
+void expectEqualTables(ComputeContext& compute, const BrickMap& map, const std::vector<Brick>& bricks) {
   const std::vector<BrickEntry> table = map.device().table().read(compute.queue());
   ASSERT_EQ(table.size(), map.device().tableMask() + std::size_t{1});
   for (const Brick& brick : bricks) {
@@ -59,7 +58,7 @@ void expectDeviceTableIsTheHosts(ComputeContext& compute, const BrickMap& map,
   EXPECT_LE(2 * map.brickCount(), static_cast<int>(table.size()));
 }
 
-TEST(BrickMap, HandsOutSlotsInOrderAndIgnoresDuplicates) {
+TEST(BrickMap, AssignsSlotsInOrderAndIgnoresDuplicates) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, 0.01F);
     EXPECT_EQ(map.brickCount(), 0);
@@ -73,11 +72,11 @@ TEST(BrickMap, HandsOutSlotsInOrderAndIgnoresDuplicates) {
     EXPECT_EQ(map.device().slotOf({-1, -1, -1}), 1);
     EXPECT_EQ(map.device().slotOf({7, -8, 9}), 2);
     EXPECT_EQ(map.device().slotOf({7, -8, 8}), BRICK_NONE);
-    expectDeviceTableIsTheHosts(compute, map, {{0, 0, 0}, {-1, -1, -1}, {7, -8, 9}});
+    expectEqualTables(compute, map, {{0, 0, 0}, {-1, -1, -1}, {7, -8, 9}});
   });
 }
 
-TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
+TEST(BrickMap, KeepsEntriesAndVoxels_WhenItGrows) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, 0.01F);
     const std::vector<Brick> first = randomBricks(1000, 40, 1);
@@ -100,7 +99,7 @@ TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
     EXPECT_EQ(map.pools().weights().size(), map.pools().distances().size());
     EXPECT_EQ(map.pools().labels().size(), map.pools().distances().size());
     EXPECT_GT(map.device().bytes(), map.pools().distances().size() * VOXEL_BYTES);
-    expectDeviceTableIsTheHosts(compute, map, all);
+    expectEqualTables(compute, map, all);
 
     const std::vector<test::HostVoxel> voxels = test::usedVoxels(compute, map);
     ASSERT_EQ(voxels.size(), static_cast<std::size_t>(map.brickCount()) * BRICK_VOXELS);
@@ -112,7 +111,7 @@ TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
   });
 }
 
-TEST(BrickMap, ReachesTheEndsOfThirtyTwoBitSpace) {
+TEST(BrickMap, SupportsAll32BitCoordinates) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, 0.01F);
     constexpr int kLow = std::numeric_limits<int>::min();
@@ -120,11 +119,11 @@ TEST(BrickMap, ReachesTheEndsOfThirtyTwoBitSpace) {
     const std::vector<Brick> bricks{
         {kLow, kHigh, 0}, {kHigh, kLow, -1}, {0, 0, 0}, {1000000, -2000000, 3000000}};
     EXPECT_EQ(map.allocate(bricks), 4);
-    expectDeviceTableIsTheHosts(compute, map, bricks);
+    expectEqualTables(compute, map, bricks);
   });
 }
 
-// True if a point of the brick, of 4^3 tried, projects into the image between the depths.
+// True if any of 4^3 points of the brick projects into the image within the depth range.
 bool isSeen(const Brick& brick, double size_m, const Eigen::Isometry3d& T_camera_world, const Intrinsics& K,
             double min_depth, double max_depth) {
   for (int i = 0; i < 64; ++i) {
@@ -153,14 +152,14 @@ TEST(BrickMap, FindsEveryBrickInViewOnce) {
       const float max_depth = view == 0 ? 1000.0F : 4.0F;  // one view that is larger than the map
       const std::vector<cl_int> slots = slotsInView(map, T, K, 0.3F, max_depth);
       const std::set<cl_int> found(slots.begin(), slots.end());
-      EXPECT_EQ(found.size(), slots.size()) << "a slot twice";
+      EXPECT_EQ(found.size(), slots.size()) << "a slot is listed twice";
       const Eigen::Isometry3d T_camera_world = T.inverse();
       for (int slot = 0; slot < map.brickCount(); ++slot) {
         if (isSeen(map.device().positionOf(slot), kBrick, T_camera_world, K, 0.3, max_depth)) {
           ASSERT_TRUE(found.contains(slot)) << map.device().positionOf(slot).transpose();
         }
       }
-      // And little more: nothing farther outside than a brick's sphere.
+      // No brick lies farther outside the view than its own extent.
       for (const cl_int slot : slots) {
         const Eigen::Vector3d center = kBrick * (map.device().positionOf(slot).cast<double>().array() + 0.5);
         const double z = (T_camera_world * center).z();
@@ -171,7 +170,7 @@ TEST(BrickMap, FindsEveryBrickInViewOnce) {
   });
 }
 
-TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
+TEST(BrickMap, SkipsInactiveBricks_UntilRequested) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, 0.01F);
     const std::vector<Brick> bricks{{0, 0, 10}, {1, 0, 10}, {0, 1, 10}};
@@ -179,7 +178,7 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
     const Intrinsics K{100, 100, 50, 50, 100, 100};
     const auto inView = [&] { return slotsInView(map, Eigen::Isometry3d::Identity(), K, 0.1F, 2.0F); };
     const auto slotOnDevice = [&](const Brick& brick) {
-      // Bricks with coordinates of 8 and more lie in the second page of z; page 1 is the only one here.
+      // These bricks lie in the second page of z, which is the only page (1).
       const std::size_t local =
           static_cast<std::size_t>(brick.x() + PAGE_SIDE * (brick.y() + PAGE_SIDE * (brick.z() - PAGE_SIDE)));
       return map.device().pageSlots().read(compute.queue())[PAGE_BRICKS + local];
@@ -195,7 +194,7 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
     EXPECT_EQ(map.device().slotOf({1, 0, 10}), 1);
     EXPECT_EQ(map.brickCount(), 3);
 
-    // Awake again in its old slot, and named in the same place as before.
+    // Active again in its old slot and at the same position in the page.
     EXPECT_EQ(map.allocate(bricks), 1);
     EXPECT_EQ(map.inactiveCount(), 0);
     EXPECT_THAT(inView(), testing::ElementsAre(0, 1, 2));
@@ -204,17 +203,17 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
   });
 }
 
-TEST(BrickMap, SeesTheSameFarAwayAsAtHome) {
+TEST(BrickMap, FindsTheSameBricks_FarFromTheOrigin) {
   test::onEachDevice([](ComputeContext& compute) {
     constexpr float kVoxel = 0.0078125F;  // a power of two: shifting by bricks is exact
-    const std::vector<Brick> home = randomBricks(5000, 30, 7);
+    const std::vector<Brick> near_bricks = randomBricks(5000, 30, 7);
     const Brick shift(1 << 20, -(1 << 19), 123456);
-    std::vector<Brick> away;
-    for (const Brick& brick : home) away.push_back(brick + shift);
+    std::vector<Brick> far_bricks;
+    for (const Brick& brick : near_bricks) far_bricks.push_back(brick + shift);
     BrickMap near_map(compute, kVoxel);
     BrickMap far_map(compute, kVoxel);
-    near_map.allocate(home);
-    far_map.allocate(away);
+    near_map.allocate(near_bricks);
+    far_map.allocate(far_bricks);
     const Intrinsics K{290, 288, 150, 120, 317, 233};
     const Eigen::Isometry3d T = test::lookAt({0.3, -0.2, -2.1}, {0.1, 0.2, 0.3});
     Eigen::Isometry3d T_far = T;

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kBrick = BRICK_VOXELS;
 
-BrickContents something() {
-  BrickContents held(1);
-  std::ranges::fill(held.distances, cl_short{-5});
-  std::ranges::fill(held.weights, cl_uchar{6});
-  std::ranges::fill(held.labels, 7U);
-  std::ranges::fill(held.colors, 8U);
-  return held;
+BrickContents filledBrick() {
+  BrickContents contents(1);
+  std::ranges::fill(contents.distances, cl_short{-5});
+  std::ranges::fill(contents.weights, cl_uchar{6});
+  std::ranges::fill(contents.labels, 7U);
+  std::ranges::fill(contents.colors, 8U);
+  return contents;
 }
 
 double residentMegabytes() {
@@ -32,7 +32,7 @@ double residentMegabytes() {
   return 0;
 }
 
-TEST(BrickPools, ASlotIsEmptyWhenItIsHandedOutFirstAndAgain) {
+TEST(BrickPools, ASlotIsEmpty_WhenNewOrReused) {
   onEachDevice([](ComputeContext& compute) {
     for (const bool at_once : {true, false}) {
       BrickPools pools(compute);
@@ -40,7 +40,7 @@ TEST(BrickPools, ASlotIsEmptyWhenItIsHandedOutFirstAndAgain) {
       if (!at_once) pools.grow(40, 0);
       pools.clear(std::vector{0, 1, 2});
       EXPECT_EQ(pools.read(std::vector{0, 1, 2}), BrickContents(3));
-      const BrickContents full = something();
+      const BrickContents full = filledBrick();
       pools.write(std::vector{1}, full);
       pools.write(std::vector{9}, full);  // was never cleared
       EXPECT_EQ(pools.read(std::vector{9}), full);
@@ -51,11 +51,11 @@ TEST(BrickPools, ASlotIsEmptyWhenItIsHandedOutFirstAndAgain) {
   });
 }
 
-TEST(BrickPools, StayEmptyBeyondTheRoomThatWasMadeAtOnce) {
+TEST(BrickPools, SlotsAreEmpty_BeyondTheInitialAllocation) {
   onEachDevice([](ComputeContext& compute) {
     BrickPools pools(compute);
     if (!compute.isCpu() || !pools.makeAtOnce(4)) return;
-    const BrickContents full = something();
+    const BrickContents full = filledBrick();
     pools.write(std::vector{3}, full);
     pools.grow(40, 4);
     EXPECT_EQ(pools.read(std::vector{3}), full);
@@ -64,7 +64,7 @@ TEST(BrickPools, StayEmptyBeyondTheRoomThatWasMadeAtOnce) {
   });
 }
 
-TEST(BrickPools, LabelsAndColorsTakeMemoryOnlyWhereThereAreAny) {
+TEST(BrickPools, LabelsAndColorsUseMemory_OnlyOnceWritten) {
   onEachDevice([](ComputeContext& compute) {
     if (!compute.isCpu()) return;
     constexpr int kBricks = 20'000;  // 30 MB of distances and weights, and 80 of labels and colours

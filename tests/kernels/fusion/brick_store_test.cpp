@@ -21,45 +21,44 @@ std::vector<std::uint32_t> randomWords(std::size_t count, unsigned seed, std::ui
   return words;
 }
 
-TEST(BrickStore, GivesBackWhatWasPutWhateverElseCameAndWent) {
+TEST(BrickStore, ReadsRecordsBack_AmongOtherInsertionsAndErasures) {
   const test::TemporaryFolder folder;
   BrickStore store(folder.path());
-  std::vector<std::pair<BrickStore::Record, std::vector<std::uint32_t>>> kept;
+  std::vector<std::pair<BrickStore::Record, std::vector<std::uint32_t>>> stored;
   std::mt19937 random(3);
   for (unsigned step = 0; step < 600; ++step) {
-    if (kept.size() > 40 || (!kept.empty() && random() % 3 == 0)) {
-      const auto out = kept.begin() + static_cast<std::ptrdiff_t>(random() % kept.size());
-      store.erase(out->first);
-      kept.erase(out);
+    if (stored.size() > 40 || (!stored.empty() && random() % 3 == 0)) {
+      const auto erased = stored.begin() + static_cast<std::ptrdiff_t>(random() % stored.size());
+      store.erase(erased->first);
+      stored.erase(erased);
     } else {
-      // Some that compress, and some that do not.
+      // Half of the records compress.
       std::vector<std::uint32_t> words = randomWords(1 + random() % 9000, step, step % 2 == 0 ? ~0U : 7U);
       const auto record = store.put(words);
       ASSERT_TRUE(record) << record.error().message();
-      kept.emplace_back(*record, std::move(words));
+      stored.emplace_back(*record, std::move(words));
     }
-    for (const auto& [record, words] : kept) {
+    for (const auto& [record, words] : stored) {
       if (random() % 8 != 0) continue;
       const auto found = store.get(record);
       ASSERT_TRUE(found) << found.error().message();
       ASSERT_EQ(*found, words);
     }
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()))
-      << "the file has a name, and would stay after a crash";
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "a named file would remain after a crash";
 }
 
-TEST(BrickStore, CompressesWhatIsAlike) {
+TEST(BrickStore, CompressesSimilarVoxels) {
   const test::TemporaryFolder folder;
   BrickStore store(folder.path());
-  // Two halves as voxels have them: far alike above, all sorts below.
+  // As in voxels, the high bytes are similar and the low bytes vary.
   std::vector<std::uint32_t> words = randomWords(100000, 1, 0xffU);
   for (std::uint32_t& word : words) word |= 0x12345600U;
   ASSERT_TRUE(store.put(words));
   EXPECT_LT(store.usedBytes(), 120000U);
 }
 
-TEST(BrickStore, UsesSpaceAgain) {
+TEST(BrickStore, ReusesErasedSpace) {
   const test::TemporaryFolder folder;
   BrickStore store(folder.path());
   std::vector<BrickStore::Record> records;
@@ -72,15 +71,15 @@ TEST(BrickStore, UsesSpaceAgain) {
     EXPECT_LT(store.usedBytes(), used);
     for (std::size_t i = round % 3; i < records.size(); i += 3)
       records[i] = store.put(randomWords(5000, 100 * round + static_cast<unsigned>(i))).value();
-    ASSERT_EQ(store.fileBytes(), full) << "holes of the same size were not filled";
+    ASSERT_EQ(store.fileBytes(), full) << "gaps of the same size were not reused";
   }
-  // Holes that touch become one, and the file ends where its last record ends.
+  // Adjacent gaps merge, and the file ends after its last record.
   for (const BrickStore::Record& record : records) store.erase(record);
   EXPECT_EQ(store.usedBytes(), 0U);
   EXPECT_EQ(store.fileBytes(), 0U);
 }
 
-TEST(BrickStore, AFullDiskLosesNothingAndASmallerRecordStillFits) {
+TEST(BrickStore, KeepsRecordsAndAcceptsSmallerOnes_WhenTheDiskIsFull) {
   const test::TemporaryFolder folder;
   BrickStore store(folder.path(), 65536);
   const std::vector<std::uint32_t> words = randomWords(10000, 1);
@@ -99,7 +98,7 @@ TEST(BrickStore, AFullDiskLosesNothingAndASmallerRecordStillFits) {
   EXPECT_EQ(store.get(*first).value(), words);
 }
 
-TEST(BrickStore, SaysThatThereIsNoSuchFolder) {
+TEST(BrickStore, NamesTheFolder_WhenItDoesNotExist) {
   const test::TemporaryFolder folder;
   BrickStore store(folder.path() / "nowhere");
   const auto record = store.put(randomWords(10, 1));
@@ -108,13 +107,13 @@ TEST(BrickStore, SaysThatThereIsNoSuchFolder) {
   EXPECT_THAT(record.error().what, HasSubstr("No such file or directory"));
 }
 
-TEST(BrickStore, ADamagedRecordIsNoRecord) {
+TEST(BrickStore, RefusesDamagedRecords) {
   const test::TemporaryFolder folder;
   BrickStore store(folder.path());
   const auto a = store.put(randomWords(3000, 1)).value();
   const auto b = store.put(randomWords(3000, 2)).value();
   BrickStore::Record wrong = a;
-  wrong.offset = b.offset;  // as if the disk had given something else
+  wrong.offset = b.offset;  // as if the disk returned other data
   EXPECT_FALSE(store.get(wrong));
   wrong = a;
   wrong.checksum ^= 1;

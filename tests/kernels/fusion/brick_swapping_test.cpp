@@ -22,18 +22,18 @@ using testing::HasSubstr;
 constexpr int kBudget = 600;  // bricks
 constexpr std::size_t kVoxels = BRICK_VOXELS;
 
-struct Contents {
-  BrickContents held = BrickContents(1);
+struct ExpectedBrick {
+  BrickContents stored = BrickContents(1);
   bool inactive = false;
 };
 
-struct Before {
+struct PositionOrder {
   bool operator()(const Brick& a, const Brick& b) const {
     return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
   }
 };
 
-/// A map with a small budget beside one with memory for all, and beside both what they should hold.
+/// A map with a small budget, one with memory for all bricks, and the expected contents of both.
 class TwoMaps {
  public:
   TwoMaps(ComputeContext& compute, const std::filesystem::path& folder, unsigned seed)
@@ -42,8 +42,8 @@ class TwoMaps {
         large(compute, 0.01F),
         random_(seed) {}
 
-  /// Both look at the pages of a box of 2^3 pages somewhere.
-  void lookSomewhere() {
+  /// Begins a frame of both maps with a random box of 2^3 pages in view.
+  void beginRandomView() {
     const auto coordinate = [&] { return static_cast<int>(random_() % 7) - 3; };
     first_page_ = {coordinate(), coordinate(), coordinate()};
     small.beginFrame(inView(small));
@@ -61,20 +61,20 @@ class TwoMaps {
     for (const Brick& brick : requested) {
       model[brick].inactive = false;
     }
-    std::vector<Brick> aside;
+    std::vector<Brick> deactivated;
     for (auto& [brick, expected] : model) {
       if (!isInView(brick)) continue;
       if (random_() % 3 == 0) write(brick, expected);
       if (!expected.inactive && random_() % 6 == 0) {
         expected.inactive = true;
-        aside.push_back(brick);
+        deactivated.push_back(brick);
       }
     }
-    small.deactivate(aside);
-    large.deactivate(aside);
+    small.deactivate(deactivated);
+    large.deactivate(deactivated);
   }
 
-  /// What lies in view, as kernels find it.
+  /// Compares bricks in view, through the tables of kernels.
   void expectSameInView() {
     const std::vector<BrickEntry> table = small.device().table().read(compute_.queue());
     const std::vector<cl_int> page_slots = small.device().pageSlots().read(compute_.queue());
@@ -84,25 +84,25 @@ class TwoMaps {
       const int slot = small.device().slotOf(brick);
       ASSERT_NE(slot, BRICK_NONE) << brick.transpose();
       ASSERT_EQ(lookUp(table, brick), slot);
-      ASSERT_EQ(read(small, slot), expected.held);
+      ASSERT_EQ(read(small, slot), expected.stored);
     }
     for (const int page : inView(small)) {
       const int block = small.pages().page(page).block;
       const int block_of_all = large.pages().page(page).block;
       ASSERT_EQ(block == PAGE_EMPTY, block_of_all == PAGE_EMPTY);
       for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
-        const int here = page_slots[static_cast<std::size_t>(block) * PAGE_BRICKS + i];
-        const int there = all_page_slots[static_cast<std::size_t>(block_of_all) * PAGE_BRICKS + i];
-        ASSERT_EQ(std::min(here, 0), std::min(there, 0)) << "empty space looks different to rays";
-        if (here >= 0) {
-          ASSERT_EQ(small.device().positionOf(here), large.device().positionOf(there));
+        const int slot_of_small = page_slots[static_cast<std::size_t>(block) * PAGE_BRICKS + i];
+        const int slot_of_large = all_page_slots[static_cast<std::size_t>(block_of_all) * PAGE_BRICKS + i];
+        ASSERT_EQ(std::min(slot_of_small, 0), std::min(slot_of_large, 0)) << "empty space differs";
+        if (slot_of_small >= 0) {
+          ASSERT_EQ(small.device().positionOf(slot_of_small), large.device().positionOf(slot_of_large));
         }
       }
     }
   }
 
-  /// What there is anywhere.
-  void expectAllThere() {
+  /// Compares all bricks.
+  void expectAllEqual() {
     EXPECT_EQ(small.brickCount(), static_cast<int>(model.size()));
     EXPECT_EQ(small.inactiveCount(), large.inactiveCount());
     std::size_t found = 0;
@@ -114,15 +114,15 @@ class TwoMaps {
       ASSERT_TRUE(copy);
       ASSERT_EQ(copy->bricks.count(), bricks.size());
       for (std::size_t i = 0; i < bricks.size(); ++i, ++found) {
-        const Contents& expected = model.at(bricks[i]);
-        ASSERT_EQ(brickOf(copy->contents, i), expected.held);
+        const ExpectedBrick& expected = model.at(bricks[i]);
+        ASSERT_EQ(brickOf(copy->contents, i), expected.stored);
         ASSERT_EQ(copy->inactive[localBrick(bricks[i])], expected.inactive);
         if (!stored) {
-          ASSERT_EQ(read(small, small.device().slotOf(bricks[i])), expected.held);
+          ASSERT_EQ(read(small, small.device().slotOf(bricks[i])), expected.stored);
           continue;
         }
         ASSERT_EQ(small.device().slotOf(bricks[i]), BRICK_NONE);
-        ASSERT_EQ(brickOf(stored->contents, i), expected.held);
+        ASSERT_EQ(brickOf(stored->contents, i), expected.stored);
         ASSERT_EQ(stored->inactive[localBrick(bricks[i])], expected.inactive);
       }
     }
@@ -135,7 +135,7 @@ class TwoMaps {
  public:
   BrickMap small;
   BrickMap large;
-  std::map<Brick, Contents, Before> model;
+  std::map<Brick, ExpectedBrick, PositionOrder> model;
 
  private:
   [[nodiscard]] bool isInView(const Brick& brick) const {
@@ -151,34 +151,34 @@ class TwoMaps {
     return pages;
   }
 
-  void write(const Brick& brick, Contents& expected) {
-    BrickContents& held = expected.held;
-    for (std::vector<cl_uint>* words : {&held.labels, &held.colors}) {
+  void write(const Brick& brick, ExpectedBrick& expected) {
+    BrickContents& stored = expected.stored;
+    for (std::vector<cl_uint>* words : {&stored.labels, &stored.colors}) {
       for (cl_uint& word : *words) word = random_() % 2 == 0 ? 0 : static_cast<cl_uint>(random_());
     }
     for (std::size_t i = 0; i < kVoxels; ++i) {
       const bool is_seen = random_() % 2 == 0;
       const int distance = static_cast<int>(random_() % 65535) - DISTANCE_ONE;
-      held.distances[i] = static_cast<cl_short>(!is_seen ? DISTANCE_UNSEEN : distance == 0 ? 1 : distance);
-      held.weights[i] = static_cast<cl_uchar>(is_seen ? 1 + random_() % 255 : 0);
+      stored.distances[i] = static_cast<cl_short>(!is_seen ? DISTANCE_UNSEEN : distance == 0 ? 1 : distance);
+      stored.weights[i] = static_cast<cl_uchar>(is_seen ? 1 + random_() % 255 : 0);
     }
     for (BrickMap* map : {&small, &large}) {
       const auto start = static_cast<std::size_t>(map->device().slotOf(brick)) * kVoxels;
-      map->pools().distances().write(compute_.queue(), held.distances, start);
-      map->pools().weights().write(compute_.queue(), held.weights, start);
-      map->pools().labels().write(compute_.queue(), held.labels, start);
-      map->pools().colors().write(compute_.queue(), held.colors, start);
+      map->pools().distances().write(compute_.queue(), stored.distances, start);
+      map->pools().weights().write(compute_.queue(), stored.weights, start);
+      map->pools().labels().write(compute_.queue(), stored.labels, start);
+      map->pools().colors().write(compute_.queue(), stored.colors, start);
     }
   }
 
   [[nodiscard]] BrickContents read(const BrickMap& map, int slot) const {
     const std::size_t start = static_cast<std::size_t>(slot) * kVoxels;
-    BrickContents held(1);
-    map.pools().distances().read(compute_.queue(), std::span(held.distances), start);
-    map.pools().weights().read(compute_.queue(), std::span(held.weights), start);
-    map.pools().labels().read(compute_.queue(), std::span(held.labels), start);
-    map.pools().colors().read(compute_.queue(), std::span(held.colors), start);
-    return held;
+    BrickContents stored(1);
+    map.pools().distances().read(compute_.queue(), std::span(stored.distances), start);
+    map.pools().weights().read(compute_.queue(), std::span(stored.weights), start);
+    map.pools().labels().read(compute_.queue(), std::span(stored.labels), start);
+    map.pools().colors().read(compute_.queue(), std::span(stored.colors), start);
+    return stored;
   }
 
   [[nodiscard]] static BrickContents brickOf(const BrickContents& all, std::size_t brick) {
@@ -203,27 +203,27 @@ class TwoMaps {
   Brick first_page_ = Brick::Zero();
 };
 
-TEST(BrickSwapping, WhatIsInViewIsWhatAMapWithMemoryForAllWouldHold) {
+TEST(BrickSwapping, EqualsAMapWithEnoughMemory) {
   test::onEachDevice([](ComputeContext& compute) {
     for (const unsigned seed : {1U, 2U}) {
       const test::TemporaryFolder folder;
       TwoMaps maps(compute, folder.path(), seed);
       std::uint64_t most_on_disk = 0;
       for (int view = 0; view < 150; ++view) {
-        maps.lookSomewhere();
+        maps.beginRandomView();
         ASSERT_NO_FATAL_FAILURE(maps.expectSameInView());
         ASSERT_NO_FATAL_FAILURE(maps.change());
         ASSERT_NO_FATAL_FAILURE(maps.expectSameInView());
         if (view % 30 == 0) {
-          ASSERT_NO_FATAL_FAILURE(maps.expectAllThere());
+          ASSERT_NO_FATAL_FAILURE(maps.expectAllEqual());
         }
         most_on_disk = std::max(most_on_disk, maps.small.storedBytes());
       }
-      maps.expectAllThere();
+      maps.expectAllEqual();
       EXPECT_FALSE(maps.small.takeFailure());
-      EXPECT_GT(maps.small.brickCount(), 4 * kBudget) << "all would have fitted";
+      EXPECT_GT(maps.small.brickCount(), 4 * kBudget) << "the budget was never exceeded";
       EXPECT_GT(most_on_disk, 1000000U);
-      // A view of 8 pages holds fewer bricks than there is room for.
+      // The bricks of a view of 8 pages fit into the budget.
       EXPECT_LE(maps.small.device().slotEnd(), kBudget);
       EXPECT_LT(maps.small.device().bytes(), maps.large.device().bytes() / 4);
     }
@@ -239,9 +239,9 @@ std::vector<Brick> row(int first, int last) {
   return bricks;
 }
 
-void lookAtNothing(BrickMap& map) { map.beginFrame({}); }
+void beginEmptyView(BrickMap& map) { map.beginFrame({}); }
 
-TEST(BrickSwapping, WithoutADiskTheMapGoesOnBeyondItsBudgetAndSaysSoOnce) {
+TEST(BrickSwapping, ExceedsTheBudgetAndReportsItOnce_WithoutADisk) {
   test::onEachDevice([](ComputeContext& compute) {
     const test::TemporaryFolder folder;
     for (const bool at_once : {false, true}) {
@@ -249,13 +249,13 @@ TEST(BrickSwapping, WithoutADiskTheMapGoesOnBeyondItsBudgetAndSaysSoOnce) {
       map.allocate(row(0, 150));
       map.pools().labels().fill(compute.queue(), 77U, 0, static_cast<std::size_t>(kBudget) * kVoxels);
       EXPECT_FALSE(map.takeFailure());
-      lookAtNothing(map);
+      beginEmptyView(map);
       EXPECT_EQ(map.allocate(row(150, 400)), 1000);
       const auto failure = map.takeFailure();
       ASSERT_TRUE(failure);
       EXPECT_THAT(failure->message(), HasSubstr("nowhere"));
       EXPECT_THAT(failure->message(), HasSubstr("The scan goes on"));
-      lookAtNothing(map);
+      beginEmptyView(map);
       map.allocate(row(400, 600));
       EXPECT_FALSE(map.takeFailure());
       EXPECT_EQ(map.brickCount(), 2400);
@@ -268,7 +268,7 @@ TEST(BrickSwapping, WithoutADiskTheMapGoesOnBeyondItsBudgetAndSaysSoOnce) {
   });
 }
 
-TEST(BrickSwapping, AViewThatNeedsMoreThanTheBudgetGetsIt) {
+TEST(BrickSwapping, ExceedsTheBudget_WhenOneViewNeedsMore) {
   test::onEachDevice([](ComputeContext& compute) {
     const test::TemporaryFolder folder;
     BrickMap map(compute, 0.01F, {kBudget, compute.isCpu(), folder.path()});
@@ -277,8 +277,8 @@ TEST(BrickSwapping, AViewThatNeedsMoreThanTheBudgetGetsIt) {
     EXPECT_GE(map.device().slotCapacity(), 1600);
     EXPECT_FALSE(map.takeFailure());
     EXPECT_EQ(map.storedBytes(), 0U);
-    // Out of view, some make room for what is new.
-    lookAtNothing(map);
+    // Out of view, some bricks are swapped out for new ones.
+    beginEmptyView(map);
     map.allocate(row(1000, 1010));
     EXPECT_EQ(map.device().slotEnd(), 1600);
     EXPECT_GT(map.storedBytes(), 0U);
@@ -286,7 +286,7 @@ TEST(BrickSwapping, AViewThatNeedsMoreThanTheBudgetGetsIt) {
   });
 }
 
-/// The file without a name that lies in `folder`, opened once more.
+/// Opens the unlinked store file of `folder` again.
 int openStoreIn(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
     std::error_code ignored;
@@ -298,12 +298,12 @@ int openStoreIn(const std::filesystem::path& folder) {
   return -1;
 }
 
-TEST(BrickSwapping, AnUnreadablePageIsMissingAndSaysSo) {
+TEST(BrickSwapping, ReportsAndDropsAPage_WhenUnreadable) {
   test::onEachDevice([](ComputeContext& compute) {
     const test::TemporaryFolder folder;
     BrickMap map(compute, 0.01F, {kBudget, compute.isCpu(), folder.path()});
     map.allocate(row(0, 100));
-    lookAtNothing(map);
+    beginEmptyView(map);
     map.allocate(row(200, 260));
     ASSERT_EQ(map.device().slotOf({0, 0, 0}), BRICK_NONE);
     const int count = map.brickCount();
@@ -318,7 +318,7 @@ TEST(BrickSwapping, AnUnreadablePageIsMissingAndSaysSo) {
     EXPECT_THAT(failure->message(), HasSubstr("cannot be read back"));
     EXPECT_EQ(map.brickCount(), count - 4 * PAGE_SIDE);
     EXPECT_EQ(map.device().slotOf({0, 0, 0}), BRICK_NONE);
-    EXPECT_EQ(map.allocate(std::vector<Brick>{{0, 0, 0}}), 1) << "its place can be used again";
+    EXPECT_EQ(map.allocate(std::vector<Brick>{{0, 0, 0}}), 1) << "its position can be reused";
     EXPECT_NE(map.device().slotOf({0, 0, 0}), BRICK_NONE);
   });
 }

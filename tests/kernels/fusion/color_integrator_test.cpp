@@ -45,7 +45,7 @@ PaintedScene wallAt(double z, const Eigen::Vector3d& rgb) {
 }
 
 /// A colour camera of another size beside the depth camera.
-ColorCamera besideIt() {
+ColorCamera offsetColorCamera() {
   ColorCamera camera{{380.0F, 377.0F, 201.7F, 143.2F, 411, 301}, Eigen::Isometry3d::Identity()};
   camera.T_color_depth.translation() = Eigen::Vector3d(-0.03, 0.004, 0.002);
   camera.T_color_depth.linear() =
@@ -83,7 +83,7 @@ reference::ColorView referenceView(ComputeContext& compute, const ColorShot& sho
   return view;
 }
 
-/// Takes readings away here and there, and a whole strip.
+/// Removes scattered readings and columns of readings.
 void makeHoles(ComputeContext& compute, ColorShot& shot) {
   Buffer<cl_float4>& buffer = shot.depth.levels.front().vertices_camera;
   std::vector<cl_float4> readings = buffer.read(compute.queue());
@@ -94,7 +94,7 @@ void makeHoles(ComputeContext& compute, ColorShot& shot) {
   buffer.write(compute.queue(), std::span<const cl_float4>(readings));
 }
 
-TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
+TEST(ColorIntegrator, EqualsTheFormula_InEveryVoxel) {
   test::onEachWidth([](ComputeContext& compute) {
     FusionParams params = colorParams();
     params.voxel_size_m = 0.012F;  // all bricks in every frame
@@ -106,20 +106,20 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
       reference::ColorMean mean;
       bool decided = true;
     };
-    std::map<std::size_t, Expected> expected;  // by voxel; slots stay
+    std::map<std::size_t, Expected> expected;  // by voxel; slots do not change
     int views = 0;
     for (const bool registered : {false, true}) {
       for (const Eigen::Isometry3d& T : colorPoses()) {
         const ColorCamera camera =
             registered ? ColorCamera{K.resizedTo(2 * K.width, 2 * K.height), Eigen::Isometry3d::Identity()}
-                       : besideIt();
+                       : offsetColorCamera();
         ColorShot shot = rig.look(scene, K, T, registered ? std::nullopt : std::optional(camera),
                                   {camera.K.width, camera.K.height});
         makeHoles(compute, shot);
         const reference::ColorView view = referenceView(compute, shot, camera, params);
         const std::vector<test::HostVoxel> voxels = test::usedVoxels(compute, map);
         for (std::size_t i = 0; i < voxels.size(); ++i) {
-          // A voxel and a half of the truncation's four, in its units.
+          // Up to 1.5 voxels from the surface; the truncation is 4 voxels.
           if (voxels[i].weight == 0 || std::abs(voxels[i].distance) > 32767 * 1.5 / 4) continue;
           const Eigen::Vector3i local(static_cast<int>(i % 8), static_cast<int>(i / 8 % 8),
                                       static_cast<int>(i / 64 % 8));
@@ -155,22 +155,21 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
         ++other_views;
         continue;
       }
-      const double off = (rgbOf(colors[i]) - mean.rgb).cwiseAbs().maxCoeff();
-      worst = std::max(worst, off);
-      sum += off;
+      const double error = (rgbOf(colors[i]) - mean.rgb).cwiseAbs().maxCoeff();
+      worst = std::max(worst, error);
+      sum += error;
     }
     EXPECT_EQ(colored_elsewhere, 0);
     EXPECT_GT(compared, 10000);
-    // A frame may pass over bricks that the surface only grazes.
+    // A frame may skip bricks that the surface barely touches.
     EXPECT_LT(other_views, compared / 50);
-    // Each mean is rounded up or down to a whole level; the more views, the less of that is left of the
-    // first.
+    // Each mean is rounded to an integer level; later views reduce earlier rounding errors.
     EXPECT_LT(worst, 1.0 + 0.5 * (views - 1));
     EXPECT_LT(sum / compared, 1.0);
   });
 }
 
-TEST(ColorIntegrator, WhatStandsBehindKeepsItsColor) {
+TEST(ColorIntegrator, KeepsTheColor_OfOccludedSurface) {
   test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = colorParams();
     const Intrinsics K = test::oddCamera();
@@ -184,7 +183,7 @@ TEST(ColorIntegrator, WhatStandsBehindKeepsItsColor) {
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     const cv::Size size(K.width, K.height);
     for (int i = 0; i < 3; ++i) rig.show(wall, K, T, std::nullopt, size);
-    for (int i = 0; i < 5; ++i) rig.show(with_board, K, T, besideIt(), size);
+    for (int i = 0; i < 5; ++i) rig.show(with_board, K, T, offsetColorCamera(), size);
     const BrickMap& map = rig.map().bricks();
     const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());
     int of_wall = 0;
@@ -203,7 +202,7 @@ TEST(ColorIntegrator, WhatStandsBehindKeepsItsColor) {
   });
 }
 
-TEST(ColorIntegrator, ColorsNothingWhereThereIsNoReading) {
+TEST(ColorIntegrator, ColorsNoVoxel_WithoutDepthReading) {
   test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = colorParams();
     const Intrinsics K = test::oddCamera();
@@ -211,7 +210,8 @@ TEST(ColorIntegrator, ColorsNothingWhereThereIsNoReading) {
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     const PaintedScene wall = wallAt(1.0, {90, 90, 90});
     ColorShot shot = rig.look(wall, K, T, std::nullopt, {K.width, K.height});
-    // No reading in the left half, as of a hand too near to be measured: the map still shows the wall there.
+    // The left half has no readings, as behind a hand too near to measure; the map still shows the wall
+    // there.
     std::vector<cl_float4> readings = shot.depth.levels.front().vertices_camera.read(compute.queue());
     for (int i = 0; i < K.pixels(); ++i) {
       if (i % K.width < 150) readings[static_cast<std::size_t>(i)] = {};
@@ -245,7 +245,7 @@ Eigen::Vector3d aheadAt(ComputeContext& compute, const BrickMap& map, double z_m
   return rgbOf(color);
 }
 
-TEST(ColorIntegrator, TheMeanFollowsSmallChangesHoweverSure) {
+TEST(ColorIntegrator, FollowsSmallChanges_AtFullWeight) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, colorParams());
@@ -257,8 +257,8 @@ TEST(ColorIntegrator, TheMeanFollowsSmallChangesHoweverSure) {
       rig.paint(shot);
     }
     EXPECT_EQ(aheadAt(compute, rig.map().bricks(), z), Eigen::Vector3d(100, 50, 200))
-        << "what does not change stays";
-    // A step is a twentieth of three levels: rounded to the nearest, nothing would ever happen.
+        << "a constant colour is stable";
+    // Each step is a twentieth of three levels; rounding to the nearest level would never change the mean.
     shot.frame.color.setTo(cv::Scalar(203, 53, 97));
     for (int i = 0; i < 200; ++i) rig.paint(shot);
     const Eigen::Vector3d after = aheadAt(compute, rig.map().bricks(), z);
@@ -280,16 +280,15 @@ TEST(ColorIntegrator, NearViewsOutweighFarOnes) {
     const PaintedScene far_view = wallAt(1.0, {0, 100, 200});
     for (int i = 0; i < 4; ++i) rig.show(far_view, K, from(-0.9), std::nullopt, size);
     for (int i = 0; i < 4; ++i) rig.show(near_view, K, from(0.3), std::nullopt, size);
-    // 32 / 3.61 against 32 / 0.49, each rounded: 4 views of 9 against as many of 64.
+    // Weights are 32 / 3.61 and 32 / 0.49, rounded: 4 views of 9 against 4 of 64.
     EXPECT_LT(
         (aheadAt(compute, rig.map().bricks(), 1.0) - Eigen::Vector3d(175, 100, 25)).cwiseAbs().maxCoeff(), 3);
     for (int i = 0; i < 4; ++i) rig.show(far_view, K, from(-0.9), std::nullopt, size);
-    EXPECT_GT(aheadAt(compute, rig.map().bricks(), 1.0).x(), 145)
-        << "sharp colour is not washed out from afar";
+    EXPECT_GT(aheadAt(compute, rig.map().bricks(), 1.0).x(), 145) << "far views do not replace near colour";
   });
 }
 
-TEST(ColorIntegrator, DoesNothingWithoutColor) {
+TEST(ColorIntegrator, ColorsNothing_WithoutColorImage) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, colorParams());
@@ -303,7 +302,7 @@ TEST(ColorIntegrator, DoesNothingWithoutColor) {
   });
 }
 
-TEST(ColorIntegrator, ALargeViewIsColoredInTurns) {
+TEST(ColorIntegrator, ColorsALargeView_OverSeveralFrames) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     FusionParams params = colorParams();
@@ -323,11 +322,11 @@ TEST(ColorIntegrator, ALargeViewIsColoredInTurns) {
     };
     rig.paint(shot);
     const std::size_t at_first = coloredBricks();
-    // Some turns are those of more bricks than others.
+    // Turns differ in their number of bricks.
     EXPECT_LT(at_first, ColorIntegrator::kBricksAtATime * 11 / 10);
     EXPECT_GT(at_first, ColorIntegrator::kBricksAtATime / 3);
     for (int i = 0; i < 15; ++i) rig.paint(shot);
-    // Of 2.2 m x 1.6 m in squares of 4 cm, without the outermost pixels.
+    // 2.2 m x 1.6 m in squares of 4 cm, without the border pixels.
     EXPECT_GT(coloredBricks(), 2000U);
   });
 }

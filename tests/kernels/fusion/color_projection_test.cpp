@@ -10,14 +10,14 @@ namespace {
 const Intrinsics kDepth{300, 300, 160, 120, 320, 240};
 constexpr auto kPixels = std::size_t{320} * 240;
 
-/// 25 mm to the right of depth.
-ColorCamera besides() {
+/// 25 mm to the right of the depth camera.
+ColorCamera offsetColorCamera() {
   ColorCamera camera{{1050, 1040, 640, 512, 1280, 1024}};
   camera.T_color_depth.translation().x() = -0.025;
   return camera;
 }
 
-/// A wall 1 m ahead and before its right half one at 0.5 m.
+/// A wall at 1 m, and a second wall at 0.5 m in front of its right half.
 RenderedView halfHidden() {
   RenderedView view{kDepth};
   for (int v = 0; v < kDepth.height; ++v) {
@@ -39,44 +39,44 @@ TEST(LocateInColor, ProjectsTheSurfaceIntoTheColorCamera) {
   RenderedView view{kDepth};
   view.vertices_world.assign(kPixels, Eigen::Vector4f::Zero());
   view.vertices_world[320 * 90 + 200] = {0.1F, -0.05F, 2, 1};
-  const SurfaceInColor seen = locateInColor(besides(), view);
+  const SurfaceInColor seen = locateInColor(offsetColorCamera(), view);
   const cv::Point2f pixel = pixelAt(seen, {1280, 1024}, 200, 90);
   EXPECT_NEAR(pixel.x, 1050 * (0.1 - 0.025) / 2 + 640, 1e-3);  // 679.375
   EXPECT_NEAR(pixel.y, 1040 * -0.05 / 2 + 512, 1e-3);          // 486
   EXPECT_EQ(seen.hidden.at<std::uint8_t>(90, 200), 0);
-  // Of the colour image at half its size.
+  // For a colour image of half the size.
   EXPECT_NEAR(pixelAt(seen, {640, 512}, 200, 90).x, (679.375 + 0.5) / 2 - 0.5, 1e-3);
-  // No surface: no parallax. (60 / 300, 30 / 300) at infinity.
+  // Pixels without surface are at infinity: (60 / 300, 30 / 300).
   EXPECT_NEAR(pixelAt(seen, {1280, 1024}, 220, 150).x, 1050 * 0.2 + 640, 1e-3);
   EXPECT_NEAR(pixelAt(seen, {1280, 1024}, 220, 150).y, 1040 * 0.1 + 512, 1e-3);
 }
 
-TEST(LocateInColor, TurnsAndPosesAreTakenIn) {
-  ColorCamera camera = besides();
+TEST(LocateInColor, AppliesRotationAndPose) {
+  ColorCamera camera = offsetColorCamera();
   camera.T_color_depth.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   RenderedView view{kDepth};
   view.T_world_camera.translation() << 5, 6, 7;
   view.T_world_camera.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
   view.vertices_world.assign(kPixels, Eigen::Vector4f::Zero());
-  // (0.1, -0.05, 2) of the depth camera: y to z, z to -y of the world.
+  // (0.1, -0.05, 2) in the depth camera; its y is z and its z is -y of the world.
   view.vertices_world[0] = {5.1F, 6 - 2.0F, 7 - 0.05F, 1};
   const SurfaceInColor seen = locateInColor(camera, view);
-  // x to y, y to -x of the colour camera: (0.05 - 0.025, 0.1, 2).
+  // In the colour camera x becomes y and y becomes -x: (0.05 - 0.025, 0.1, 2).
   EXPECT_NEAR(pixelAt(seen, {1280, 1024}, 0, 0).x, 1050 * 0.025 / 2 + 640, 1e-2);
   EXPECT_NEAR(pixelAt(seen, {1280, 1024}, 0, 0).y, 1040 * 0.1 / 2 + 512, 1e-2);
 }
 
-TEST(LocateInColor, RegisteredColorShowsWhatDepthShowsScaled) {
+TEST(LocateInColor, ScalesPixels_WhenColorIsRegistered) {
   const SurfaceInColor seen = locateInColor(std::nullopt, {kDepth});
   EXPECT_NEAR(pixelAt(seen, {640, 480}, 100, 50).x, 200.5, 1e-4);
   EXPECT_NEAR(pixelAt(seen, {640, 480}, 100, 50).y, 100.5, 1e-4);
   EXPECT_EQ(cv::countNonZero(seen.hidden), 0);
 }
 
-TEST(LocateInColor, WhatSomethingNearerCoversIsHidden) {
-  const SurfaceInColor seen = locateInColor(besides(), halfHidden());
-  // The near edge is seen at (0 - 0.025) / 0.5 = -0.05, where the far wall has x - 0.025 = -0.05: what lies
-  // between x = -0.025 and 0 is hidden, 7.5 pixels of depth.
+TEST(LocateInColor, HidesOccludedSurface) {
+  const SurfaceInColor seen = locateInColor(offsetColorCamera(), halfHidden());
+  // The near edge projects to (0 - 0.025) / 0.5 = -0.05. The far wall projects there at x = -0.025, so x
+  // between -0.025 and 0 is hidden: 7.5 depth pixels.
   for (const int v : {20, 120, 220}) {
     EXPECT_EQ(seen.hidden.at<std::uint8_t>(v, 140), 0);
     EXPECT_EQ(seen.hidden.at<std::uint8_t>(v, 149), 0);
@@ -87,8 +87,8 @@ TEST(LocateInColor, WhatSomethingNearerCoversIsHidden) {
   }
 }
 
-TEST(LocateInColor, WhatTheColorImageDoesNotReachIsHidden) {
-  ColorCamera camera = besides();
+TEST(LocateInColor, HidesSurface_OutsideTheColorImage) {
+  ColorCamera camera = offsetColorCamera();
   camera.K.cx = -100;  // its left edge at x / z = 100 / 1050
   const SurfaceInColor seen = locateInColor(camera, halfHidden());
   EXPECT_EQ(seen.hidden.at<std::uint8_t>(120, 160 + 40), 255);  // 40 / 300 - 0.05 = 0.083

@@ -1,4 +1,4 @@
-// Where a frame's readings and the map's surface cannot both be right.
+// Pixels where a frame's readings contradict the map's surface.
 #include "core/fusion/contradicted_surface.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ const Intrinsics kWorking{100, 100, 39.5F, 29.5F, 80, 60};
 constexpr float kSurface_m = 1.5F, kDepthNoise_m = 0.0015F;
 const cv::Rect kPatch(20, 10, 30, 20);  // working pixels
 
-/// A wall that faces a camera somewhere in the world, and the camera's readings of twice the resolution.
+/// A wall that faces a camera, and the camera's readings at twice the resolution.
 struct Wall {
   RenderedView view{kWorking,
                     Eigen::Isometry3d(Eigen::Translation3d(0.4, -1, 2) *
@@ -36,10 +36,10 @@ struct Wall {
   }
 };
 
-/// The patch but for its outermost pixels, beside which readings agree.
+/// Pixels of the patch without its border, where neighbouring readings agree with the wall.
 int insideOfPatch() { return (kPatch.width - 2) * (kPatch.height - 2); }
 
-TEST(ContradictedSurface, WhereSomethingStandsBeforeItOrItIsSeenThrough) {
+TEST(ContradictedSurface, IsFound_WhenReadingsAreInFrontOrBehind) {
   for (const float z_m : {1.0F, 2.0F}) {
     Wall wall;
     wall.read(z_m);
@@ -50,8 +50,9 @@ TEST(ContradictedSurface, WhereSomethingStandsBeforeItOrItIsSeenThrough) {
   }
 }
 
-TEST(ContradictedSurface, NoiseAndMissingReadingsSayNothing) {
-  // Six standard deviations of depth noise are 20 mm at 1.5 m, beside 50 mm before it and 25 mm behind it.
+TEST(ContradictedSurface, IsEmpty_WithNoiseOrMissingReadings) {
+  // The tolerance is six standard deviations of depth noise (20 mm at 1.5 m), plus 50 mm in front and 25 mm
+  // behind.
   for (const float z_m : {kSurface_m - 0.065F, kSurface_m + 0.04F, 0.0F}) {
     Wall wall;
     wall.read(z_m);
@@ -59,14 +60,14 @@ TEST(ContradictedSurface, NoiseAndMissingReadingsSayNothing) {
   }
 }
 
-TEST(ContradictedSurface, AReadingBesideIsEnough) {
+TEST(ContradictedSurface, IsEmpty_WhenANeighboringReadingAgrees) {
   Wall wall;
   wall.readings_m.setTo(2.0F);
   for (int v = 0; v < wall.readings_m.rows; v += 3) wall.readings_m.row(v).setTo(kSurface_m);
   EXPECT_EQ(cv::countNonZero(wall.contradicted()), 0);
 }
 
-TEST(ContradictedSurface, WhereThereIsNoneNothingContradictsIt) {
+TEST(ContradictedSurface, IsEmpty_WithoutSurface) {
   Wall wall;
   wall.read(1.0F);
   for (Eigen::Vector4f& vertex : wall.view.vertices_world) vertex.w() = 0;

@@ -29,7 +29,7 @@ namespace scantrove::test {
   return frame;
 }
 
-/// A camera of odd size.
+/// A camera with an image of odd size.
 [[nodiscard]] inline Intrinsics oddCamera() { return {290.0F, 288.0F, 157.3F, 118.1F, 317, 233}; }
 
 /// All voxels of a map on the host.

@@ -24,13 +24,13 @@ AnalyticScene ballOnWall() {
   return scene;
 }
 
-// Poses around the origin, which has bricks with negative and positive coordinates on all sides.
+// Poses around the origin, so that brick coordinates are negative and positive.
 std::vector<Eigen::Isometry3d> poses() {
   return {test::lookAt({0, 0, -1.0}, {0, 0, 0}), test::lookAt({0.3, -0.2, -0.9}, {0, 0.05, 0}),
           test::lookAt({-0.35, 0.1, -0.8}, {0.05, 0, 0.1}, {1, 0.2, 0})};
 }
 
-TEST(Integrator, EqualsTheDenseVolumeVoxelByVoxel) {
+TEST(Integrator, EqualsTheDenseVolume_InEveryVoxel) {
   test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = coarse();
     const Intrinsics K = test::oddCamera();
@@ -45,13 +45,12 @@ TEST(Integrator, EqualsTheDenseVolumeVoxelByVoxel) {
       test::addDisparityNoise(depth, K, 1);
       for (std::size_t i = 0; i < depth.size(); i += 37) depth[i] = 0;
       map->integrate(test::frameOf(compute, depth, K), T);
-      // A brick that is made later has missed the frames before: the volume is compared frame by frame from
-      // its start on.
+      // Bricks allocated later lack earlier frames; only voxels of equal weight are compared.
       dense.integrate(depth, K, T, params.max_depth_m);
       ++frames;
     }
-    // Each of the averages is rounded to 1/32767 of a truncation, half of it at most; the depth along the ray
-    // is a float (1e-7 of a metre, 1e-5 truncations), and so is the transform.
+    // Each average is rounded by at most half of 1/32767 of a truncation. Float depths and transforms add
+    // 1e-5 truncations.
     const double tolerance = 0.5 * frames / 32767.0 + 2e-4;
     const test::HostVoxels voxels(compute, map->bricks());
     int compared = 0;
@@ -64,7 +63,7 @@ TEST(Integrator, EqualsTheDenseVolumeVoxelByVoxel) {
           const reference::DenseTsdf::Voxel& expected = dense.at(voxel);
           const test::HostVoxel* found = voxels.find(voxel);
           if (found == nullptr) {
-            // Only free space may be without a brick.
+            // Only free space may lack a brick.
             missed += expected.weight > 0 && expected.distance < 0.99 && !expected.doubtful;
             continue;
           }
@@ -111,7 +110,7 @@ TEST(Integrator, AllocatesTheBricksThatTheBandTouches) {
     const double brick_m = 8 * static_cast<double>(params.voxel_size_m);
     auto map = test::makeMap(compute, params);
     reference::TouchedBricks expected;
-    // Frame by frame into one map: later ones find most of their bricks there.
+    // Later frames find most bricks allocated.
     for (const Eigen::Isometry3d& T : poses()) {
       std::vector<float> depth = ballOnWall().depth(K, T);
       for (std::size_t i = 0; i < depth.size(); i += 3) depth[i] = 0;
@@ -130,19 +129,19 @@ TEST(Integrator, AllocatesTheBricksThatTheBandTouches) {
         missing += map->bricks().device().slotOf({x, y, z}) == BRICK_NONE ? 1 : 0;
       }
       EXPECT_EQ(missing, 0);
-      int needless = 0;
+      int unneeded = 0;
       for (int slot = 0; slot < map->bricks().brickCount(); ++slot) {
         const Eigen::Vector3i& b = map->bricks().device().positionOf(slot);
         const reference::TouchedBricks::Brick brick{b.x(), b.y(), b.z()};
-        needless += expected.certain.contains(brick) || expected.possible.contains(brick) ? 0 : 1;
+        unneeded += expected.certain.contains(brick) || expected.possible.contains(brick) ? 0 : 1;
       }
-      EXPECT_EQ(needless, 0);
+      EXPECT_EQ(unneeded, 0);
     }
     EXPECT_GT(expected.certain.size(), 1000U);
   });
 }
 
-TEST(Integrator, MakesNothingOfReadingsThatAreNone) {
+TEST(Integrator, IgnoresInvalidReadings) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     auto map = test::makeMap(compute);
@@ -161,7 +160,7 @@ TEST(Integrator, MakesNothingOfReadingsThatAreNone) {
     map->integrate(test::frameOf(compute, depth, K), Eigen::Isometry3d::Identity());
     EXPECT_EQ(map->bricks().brickCount(), 0);
 
-    // Nor do they touch bricks that exist.
+    // Existing bricks are not changed either.
     const std::vector<float> wall(depth.size(), 1.0F);
     map->integrate(test::frameOf(compute, wall, K), Eigen::Isometry3d::Identity());
     const test::HostVoxels before(compute, map->bricks());
@@ -173,7 +172,7 @@ TEST(Integrator, MakesNothingOfReadingsThatAreNone) {
   });
 }
 
-TEST(Integrator, CarvesWhatIsGone) {
+TEST(Integrator, ClearsSurface_WhenSeenThrough) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     auto map = test::makeMap(compute, coarse());
@@ -189,14 +188,14 @@ TEST(Integrator, CarvesWhatIsGone) {
   });
 }
 
-// A wall that goes and comes back: its bricks cost nothing while it is away, and it is seen where it was.
-TEST(Integrator, LaysAsideWhatIsFreeSpaceAndTakesItUpAgain) {
+// A wall disappears and returns: its bricks are inactive meanwhile, and it reappears at its old position.
+TEST(Integrator, DeactivatesFreeBricks_UntilSurfaceReturns) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     const FusionParams params = coarse();
     auto map = test::makeMap(compute, params);
     const BrickMap& bricks = map->bricks();
-    const auto see = [&](float wall_m, int times) {
+    const auto integrateWall = [&](float wall_m, int times) {
       const std::vector<float> depth(static_cast<std::size_t>(K.pixels()), wall_m);
       for (int i = 0; i < times; ++i)
         map->integrate(test::frameOf(compute, depth, K), Eigen::Isometry3d::Identity());
@@ -208,25 +207,25 @@ TEST(Integrator, LaysAsideWhatIsFreeSpaceAndTakesItUpAgain) {
           .read(compute.queue())[static_cast<std::size_t>(K.height / 2 * K.width + K.width / 2)]
           .s[2];
     };
-    see(0.8F, 1);
+    integrateWall(0.8F, 1);
     const int bricks_of_near_wall = bricks.brickCount();
     EXPECT_EQ(bricks.inactiveCount(), 0);
     EXPECT_NEAR(depthInTheMiddle(), 0.8, 0.001);
 
-    // One reading at -1 and n at +1 average to (n - 1) / (n + 1): half a truncation is passed with the third,
-    // and the bricks are laid aside with the frame after. Those that reach out of the image stay.
-    see(1.6F, 4);
+    // One reading at -1 and n at +1 average to (n - 1) / (n + 1). The third exceeds half a truncation, and
+    // the next frame deactivates the bricks, except those partly outside the image.
+    integrateWall(1.6F, 4);
     EXPECT_GT(bricks.inactiveCount(), bricks_of_near_wall / 2);
     EXPECT_NEAR(depthInTheMiddle(), 1.6, 0.001);
 
-    see(0.8F, 1);
+    integrateWall(0.8F, 1);
     EXPECT_EQ(bricks.inactiveCount(), 0);
-    see(0.8F, 20);
+    integrateWall(0.8F, 20);
     EXPECT_NEAR(depthInTheMiddle(), 0.8, 0.01);
   });
 }
 
-TEST(Integrator, GivesTheSameBitsForTheSameInput) {
+TEST(Integrator, IsDeterministic) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     std::vector<test::HostVoxel> results[2];

@@ -26,14 +26,14 @@ DepthView viewOf(const AnalyticScene& scene, const Eigen::Isometry3d& T = Eigen:
   return view;
 }
 
-/// Seen for so many views, all from one place.
+/// Free space after `views` views from one pose.
 FreeSpace seen(const AnalyticScene& scene, int views) {
   FreeSpace space(kNoise_m);
   for (int i = 0; i < views; ++i) space.add(viewOf(scene));
   return space;
 }
 
-TEST(FreeSpace, AThingThatCameStandsWhereThereWasNothing) {
+TEST(FreeSpace, IsContradicted_ByAnAppearedObject) {
   const FreeSpace space = seen(wall(), 8);
   const DepthView now = viewOf(wallWithBox());
   const cv::Mat found = space.contradicting(now);
@@ -41,25 +41,26 @@ TEST(FreeSpace, AThingThatCameStandsWhereThereWasNothing) {
   EXPECT_EQ(cv::countNonZero(space.contradicting(viewOf(wall()))), 0);
 }
 
-TEST(FreeSpace, OneViewMayBeWrong) {
+TEST(FreeSpace, NeedsFiveViews) {
   EXPECT_EQ(cv::countNonZero(seen(wall(), 4).contradicting(viewOf(wallWithBox()))), 0);
   EXPECT_GT(cv::countNonZero(seen(wall(), 5).contradicting(viewOf(wallWithBox()))), 0);
 }
 
-TEST(FreeSpace, WhereNothingWasSeenEverythingIsPossible) {
-  const FreeSpace blind = seen(AnalyticScene(), 8);
-  EXPECT_EQ(cv::countNonZero(blind.contradicting(viewOf(wallWithBox()))), 0) << "no reading is no free space";
-  // What a box hid from all views may well have been there.
+TEST(FreeSpace, IsNotContradicted_WhereNothingWasSeen) {
+  const FreeSpace no_readings = seen(AnalyticScene(), 8);
+  EXPECT_EQ(cv::countNonZero(no_readings.contradicting(viewOf(wallWithBox()))), 0)
+      << "missing readings are not free space";
+  // Space behind a box was hidden in all views.
   const FreeSpace space = seen(wallWithBox(), 8);
   const AnalyticScene behind = wall().box({-0.1, -0.1, 1.5}, {0.1, 0.1, 1.6});
   EXPECT_EQ(cv::countNonZero(space.contradicting(viewOf(behind))), 0);
-  // And so may what none of them looked at.
+  // Space outside all views is unknown, too.
   Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
   aside.translation().x() = 3;
   EXPECT_EQ(cv::countNonZero(seen(wall(), 8).contradicting(viewOf(wallWithBox(3), aside))), 0);
 }
 
-TEST(FreeSpace, FromElsewhereTheSameIsSeen) {
+TEST(FreeSpace, IsContradicted_FromAnotherPose) {
   const FreeSpace space = seen(wall(), 8);
   Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
   aside.translate(Eigen::Vector3d(0.3, 0.1, 0.1)).rotate(Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitY()));
@@ -68,37 +69,38 @@ TEST(FreeSpace, FromElsewhereTheSameIsSeen) {
   EXPECT_EQ(cv::countNonZero(found != (now.z_m < 1.5)), 0);
 }
 
-TEST(FreeSpace, NoiseIsNoMotion) {
+TEST(FreeSpace, ToleratesNoise) {
   const FreeSpace space = seen(wall(), 8);
-  // 6 standard deviations at 2 m are 36 mm, and 50 mm for everything else.
+  // The tolerance at 2 m is 6 standard deviations (36 mm) plus 50 mm.
   EXPECT_EQ(cv::countNonZero(space.contradicting(viewOf(wall(1.93)))), 0);
   EXPECT_EQ(cv::countNonZero(space.contradicting(viewOf(wall(1.88)))), kSmall.pixels());
 }
 
-TEST(FreeSpace, WhatStaysBelongsThere) {
+TEST(FreeSpace, AcceptsAnObject_ThatStays) {
   FreeSpace space = seen(wall(), 28);
   int views = 0;
   for (; cv::countNonZero(space.contradicting(viewOf(wallWithBox()))) > 0; ++views) {
     ASSERT_LT(views, 40);
     space.add(viewOf(wallWithBox()));
   }
-  EXPECT_GT(views, 15) << "a hand that holds still for a moment";
-  EXPECT_EQ(cv::countNonZero(space.contradicting(viewOf(wall()))), 0) << "what goes uncovers no new thing";
+  EXPECT_GT(views, 15) << "a resting hand must not be accepted";
+  EXPECT_EQ(cv::countNonZero(space.contradicting(viewOf(wall()))), 0)
+      << "a removed object is no appeared object";
 }
 
-TEST(KnownSurface, SaysHowReadingsStandToTheMap) {
+TEST(KnownSurface, ComparesReadingsWithTheMap) {
   onEachDevice([](ComputeContext& compute) {
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     const KnownSurface known(readView(compute, mapsOf(compute, wall(), kSmall, T)));
-    const auto count = [&](const DepthView& view, DepthConsistency standing) {
-      return cv::countNonZero(known.consistencies(view, kNoise_m) == static_cast<int>(standing));
+    const auto count = [&](const DepthView& view, DepthConsistency expected) {
+      return cv::countNonZero(known.consistencies(view, kNoise_m) == static_cast<int>(expected));
     };
     EXPECT_EQ(count(viewOf(wall()), DepthConsistency::fits), kSmall.pixels());
     const DepthView box = viewOf(wallWithBox());
     EXPECT_EQ(count(box, DepthConsistency::before), cv::countNonZero(box.z_m < 1.5));
     EXPECT_EQ(count(viewOf(wall(2.5)), DepthConsistency::behind), kSmall.pixels());
     EXPECT_EQ(count(viewOf(AnalyticScene()), DepthConsistency::none), kSmall.pixels());
-    // Turned by as much as half the view, half of it is new.
+    // After a turn of half the field of view, half of the image is unknown.
     const Eigen::Isometry3d aside(Eigen::AngleAxisd(std::atan(79.5 / 146), Eigen::Vector3d::UnitY()));
     EXPECT_NEAR(count(viewOf(wall(), aside), DepthConsistency::unknown), kSmall.pixels() / 2,
                 0.03 * kSmall.pixels());
@@ -108,42 +110,43 @@ TEST(KnownSurface, SaysHowReadingsStandToTheMap) {
   });
 }
 
-/// Images in which somebody stands: a smooth patch of 40 x 60 pixels before a wall.
-struct Somebody {
+/// Images of a person: a smooth patch of 40 x 60 pixels in front of a wall.
+struct Person {
   cv::Mat z_m = cv::Mat(120, 160, CV_32FC1, cv::Scalar(2.5F));
   cv::Mat consistencies = cv::Mat(120, 160, CV_8UC1, cv::Scalar(static_cast<int>(DepthConsistency::fits)));
   cv::Mat intruding = cv::Mat::zeros(120, 160, CV_8UC1);
   cv::Rect body{60, 40, 40, 60};
-  Somebody() {
+  Person() {
     z_m(body) = 1.0F;
     consistencies(body) = static_cast<int>(DepthConsistency::before);
   }
 };
 
-TEST(MovingPixels, SomebodyMovesAsAWhole) {
-  Somebody one;
-  one.intruding(cv::Rect(60, 40, 6, 60)) = 255;  // his front stands where there was nothing
-  const cv::Mat moving = movingPixels(one.intruding, one.consistencies, one.z_m);
-  EXPECT_EQ(cv::countNonZero(moving(one.body)), one.body.area());
-  EXPECT_EQ(cv::countNonZero(moving), 42 * 62) << "and a pixel around him";
+TEST(MovingPixels, CoverThePerson_WhenAPartIntrudes) {
+  Person person;
+  person.intruding(cv::Rect(60, 40, 6, 60)) = 255;  // the front is in former free space
+  const cv::Mat moving = movingPixels(person.intruding, person.consistencies, person.z_m);
+  EXPECT_EQ(cv::countNonZero(moving(person.body)), person.body.area());
+  EXPECT_EQ(cv::countNonZero(moving), 42 * 62) << "with a border of one pixel";
 }
 
-TEST(MovingPixels, SpecksAndWhatIsNewAloneDoNotMove) {
-  Somebody one;
-  EXPECT_EQ(cv::countNonZero(movingPixels(one.intruding, one.consistencies, one.z_m)), 0) << "new, but still";
-  one.intruding.at<std::uint8_t>(70, 80) = 255;
-  EXPECT_EQ(cv::countNonZero(movingPixels(one.intruding, one.consistencies, one.z_m)), 0);
+TEST(MovingPixels, AreEmpty_WithoutIntrusionOrWithASinglePixel) {
+  Person person;
+  EXPECT_EQ(cv::countNonZero(movingPixels(person.intruding, person.consistencies, person.z_m)), 0)
+      << "new, but still";
+  person.intruding.at<std::uint8_t>(70, 80) = 255;
+  EXPECT_EQ(cv::countNonZero(movingPixels(person.intruding, person.consistencies, person.z_m)), 0);
 }
 
-TEST(MovingPixels, WhatTheMapKnowsStaysInIt) {
-  Somebody one;
-  one.consistencies(one.body) = static_cast<int>(DepthConsistency::fits);
-  one.intruding(cv::Rect(60, 40, 6, 60)) = 255;
-  const cv::Mat moving = movingPixels(one.intruding, one.consistencies, one.z_m);
+TEST(MovingPixels, CoverOnlyTheIntrusion_WhenTheMapKnowsTheRest) {
+  Person person;
+  person.consistencies(person.body) = static_cast<int>(DepthConsistency::fits);
+  person.intruding(cv::Rect(60, 40, 6, 60)) = 255;
+  const cv::Mat moving = movingPixels(person.intruding, person.consistencies, person.z_m);
   EXPECT_EQ(cv::countNonZero(moving), 8 * 62);
 }
 
-TEST(MovingPixels, VacatedIsWhatIsSeenThroughButForEdges) {
+TEST(VacatedPixels, AreSeenThrough_ExceptAlongEdges) {
   cv::Mat consistencies(120, 160, CV_8UC1, cv::Scalar(static_cast<int>(DepthConsistency::fits)));
   consistencies(cv::Rect(30, 30, 20, 10)) = static_cast<int>(DepthConsistency::behind);
   consistencies(cv::Rect(100, 10, 1, 90)) = static_cast<int>(DepthConsistency::behind);  // along an edge
@@ -152,17 +155,17 @@ TEST(MovingPixels, VacatedIsWhatIsSeenThroughButForEdges) {
   EXPECT_EQ(cv::countNonZero(vacated(cv::Rect(90, 0, 70, 120))), 0);
 }
 
-/// Map and motion filter as a scan runs them, with a camera that knows where it is.
-class Watcher {
+/// Runs map and motion filter as a scan does, with known poses.
+class MotionRig {
  public:
-  explicit Watcher(ComputeContext& compute)
+  explicit MotionRig(ComputeContext& compute)
       : compute_(compute),
         preprocessor_(std::move(DepthPreprocessor::create(compute, kKinect, {}).value())),
         map_(makeMap(compute)),
         filter_(std::move(MotionFilter::create(compute, {}).value())) {}
 
-  void see(const AnalyticScene& scene, int frames = 1,
-           const Eigen::Isometry3d& T = Eigen::Isometry3d::Identity()) {
+  void show(const AnalyticScene& scene, int frames = 1,
+            const Eigen::Isometry3d& T = Eigen::Isometry3d::Identity()) {
     const RgbdFrame frame = frameOf(scene, kKinect, T);
     for (int i = 0; i < frames; ++i) {
       depth_ = &preprocessor_->process(frame);
@@ -173,7 +176,7 @@ class Watcher {
     }
   }
 
-  /// Depth of the middle of the map's surface; 0: there is none.
+  /// Depth of the map's surface at the image centre; 0 if none.
   [[nodiscard]] float middle_m() { return surfaceAt(120 * 320 + 160).s[2]; }
   [[nodiscard]] cl_float4 surfaceAt(std::size_t pixel) {
     return surface_.vertices_world.read(compute_.queue())[pixel];
@@ -196,17 +199,17 @@ class Watcher {
   SurfaceMaps surface_;
 };
 
-TEST(MotionFilter, LeavesOutWhatCameUntilItStays) {
+TEST(MotionFilter, OmitsAnAppearedObject_UntilItStays) {
   onEachDevice([](ComputeContext& compute) {
-    Watcher watcher(compute);
-    watcher.see(wall(), 30);
-    EXPECT_TRUE(watcher.filter().moving().empty());
-    EXPECT_EQ(watcher.still_m(), watcher.seen_m());
-    EXPECT_NEAR(watcher.middle_m(), 2, 0.005);
+    MotionRig rig(compute);
+    rig.show(wall(), 30);
+    EXPECT_TRUE(rig.filter().moving().empty());
+    EXPECT_EQ(rig.still_m(), rig.seen_m());
+    EXPECT_NEAR(rig.middle_m(), 2, 0.005);
 
-    watcher.see(wallWithBox());
-    const std::vector<cl_float> seen_m = watcher.seen_m();
-    const std::vector<cl_float> still_m = watcher.still_m();
+    rig.show(wallWithBox());
+    const std::vector<cl_float> seen_m = rig.seen_m();
+    const std::vector<cl_float> still_m = rig.still_m();
     int box = 0, wall_left_out = 0;
     for (std::size_t i = 0; i < seen_m.size(); ++i) {
       if (seen_m[i] < 1.5F) {
@@ -219,58 +222,58 @@ TEST(MotionFilter, LeavesOutWhatCameUntilItStays) {
       }
     }
     EXPECT_GT(box, 30000);
-    EXPECT_LT(wall_left_out, 0.15 * box) << "a rim of two pixels of the smaller image";
-    EXPECT_EQ(watcher.surfaceAt(120 * 320 + 160).s[3], 0) << "nothing is seen of the wall there";
-    EXPECT_EQ(watcher.surfaceAt(20 * 320 + 20).s[3], 1);
+    EXPECT_LT(wall_left_out, 0.15 * box) << "a border of two pixels of the smaller image";
+    EXPECT_EQ(rig.surfaceAt(120 * 320 + 160).s[3], 0) << "the wall is hidden there";
+    EXPECT_EQ(rig.surfaceAt(20 * 320 + 20).s[3], 1);
 
-    watcher.see(wall());
-    EXPECT_NEAR(watcher.middle_m(), 2, 0.005) << "it never was in the map";
-    watcher.see(wallWithBox(), 40);
-    EXPECT_NEAR(watcher.middle_m(), 1, 0.005) << "it stays";
+    rig.show(wall());
+    EXPECT_NEAR(rig.middle_m(), 2, 0.005) << "the box was never in the map";
+    rig.show(wallWithBox(), 40);
+    EXPECT_NEAR(rig.middle_m(), 1, 0.005) << "the box stays";
   });
 }
 
-TEST(MotionFilter, WhatIsSeenThroughGoesWithinAFewFrames) {
+TEST(MotionFilter, RemovesSurface_WhenSeenThroughForSomeFrames) {
   onEachDevice([](ComputeContext& compute) {
-    Watcher watcher(compute);
-    watcher.see(wallWithBox(), 80);
-    ASSERT_NEAR(watcher.middle_m(), 1, 0.005);
-    watcher.see(wall(), 8);
-    EXPECT_NEAR(watcher.middle_m(), 2, 0.01) << "by its weight alone it would stay for 64 frames";
-    EXPECT_NEAR(watcher.surfaceAt(20 * 320 + 20).s[2], 2, 0.005);
+    MotionRig rig(compute);
+    rig.show(wallWithBox(), 80);
+    ASSERT_NEAR(rig.middle_m(), 1, 0.005);
+    rig.show(wall(), 8);
+    EXPECT_NEAR(rig.middle_m(), 2, 0.01) << "its weight alone would keep it for 64 frames";
+    EXPECT_NEAR(rig.surfaceAt(20 * 320 + 20).s[2], 2, 0.005);
   });
 }
 
-TEST(MotionFilter, OneFrameThatSeesThroughDoesNotUndoASurface) {
+TEST(MotionFilter, KeepsSurface_WhenSeenThroughOnce) {
   onEachDevice([](ComputeContext& compute) {
-    Watcher watcher(compute);
-    watcher.see(wallWithBox(), 40);
-    watcher.see(wall());
-    watcher.see(wallWithBox(), 3);
-    EXPECT_NEAR(watcher.middle_m(), 1, 0.005);
+    MotionRig rig(compute);
+    rig.show(wallWithBox(), 40);
+    rig.show(wall());
+    rig.show(wallWithBox(), 3);
+    EXPECT_NEAR(rig.middle_m(), 1, 0.005);
   });
 }
 
-TEST(MotionFilter, TheCameraIsNotFollowedByWhatHasJustComeIntoView) {
+TEST(MotionFilter, SettledNormalsExcludeNewSurface) {
   onEachDevice([](ComputeContext& compute) {
-    Watcher watcher(compute);
-    watcher.see(wall());
+    MotionRig rig(compute);
+    rig.show(wall());
     const auto has = [](const cl_float4& normal) { return normal.s[3] > 0; };
-    EXPECT_EQ(watcher.settledNormals().size(), 320U * 240);
-    EXPECT_TRUE(std::ranges::all_of(watcher.settledNormals(), has)) << "all is new: there is nothing better";
-    watcher.see(wall(), 5);
+    EXPECT_EQ(rig.settledNormals().size(), 320U * 240);
+    EXPECT_TRUE(std::ranges::all_of(rig.settledNormals(), has)) << "if all surface is new, all is used";
+    rig.show(wall(), 5);
     const Eigen::Isometry3d aside(Eigen::AngleAxisd(0.08, Eigen::Vector3d::UnitY()));
-    watcher.see(wall(), 1, aside);
-    const std::vector<cl_float4> settled = watcher.settledNormals();
-    const std::vector<cl_float4> all = watcher.normals();
-    // The strip that the turn has uncovered: at the right, f tan(0.08) and a little more.
+    rig.show(wall(), 1, aside);
+    const std::vector<cl_float4> settled = rig.settledNormals();
+    const std::vector<cl_float4> all = rig.normals();
+    // The turn uncovers a strip of slightly more than f tan(0.08) at the right.
     for (int u = 0; u < 320; ++u) {
-      if (u > 285 && u < 300) continue;  // around its border
+      if (u > 285 && u < 300) continue;  // near the border of the strip
       const auto i = static_cast<std::size_t>(120 * 320 + u);
       EXPECT_EQ(has(settled[i]), has(all[i]) && u <= 285) << u;
     }
-    watcher.see(wall(), 4, aside);
-    EXPECT_TRUE(has(watcher.settledNormals()[120 * 320 + 310]));
+    rig.show(wall(), 4, aside);
+    EXPECT_TRUE(has(rig.settledNormals()[120 * 320 + 310]));
   });
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 using test::AnalyticScene;
 
-// Depth is read at the nearest pixel: on a slope of 45 degrees at 1.5 m that is wrong by up to half of a
-// pixel's 5 mm, where only one view has seen a voxel.
+// Depth is read at the nearest pixel. For voxels of a single view, on a slope of 45 degrees at 1.5 m, the
+// error is up to half a pixel of 5 mm.
 constexpr double kHalfPixelOfSlope_m = 0.0025;
 
 struct Maps {
@@ -33,14 +33,14 @@ bool isWellFormed(const cl_float4& v) {
 }
 
 struct Accuracy {
-  int expected = 0;  ///< pixels that see a surface
+  int expected = 0;  ///< pixels with surface
   std::vector<double> distances_m;
   std::vector<double> angles_deg;
   double share(const std::vector<double>& of) const { return static_cast<double>(of.size()) / expected; }
 };
 
-// Compares with the truth, away from the image's border and from silhouettes (where neighbours differ by over
-// 5 cm).
+// Compares with the truth, except near the image border and silhouettes (neighbours that differ by over 5
+// cm).
 Accuracy compare(const Maps& maps, const AnalyticScene& scene, const Eigen::Isometry3d& T,
                  const Intrinsics& K) {
   Accuracy result;
@@ -88,7 +88,7 @@ void fuse(ComputeContext& compute, DenseMap& map, const AnalyticScene& scene, co
   for (const Eigen::Isometry3d& T : poses) map.integrate(test::frameOf(compute, scene.depth(K, T), K), T);
 }
 
-TEST(Raycaster, SeesNothingInAnEmptyMap) {
+TEST(Raycaster, FindsNothing_InAnEmptyMap) {
   test::onEachWidth([](ComputeContext& compute) {
     auto map = test::makeMap(compute);
     const Maps maps = castFrom(compute, *map, Eigen::Isometry3d::Identity(), test::oddCamera());
@@ -139,7 +139,7 @@ TEST(Raycaster, SphereOnWallIsWithinAThirdOfAVoxel) {
   });
 }
 
-// Normals decide what is segmented, from the first frame on.
+// Segmentation uses normals from the first frame on.
 TEST(Raycaster, NormalsOfOneNoisyFrameAreUsable) {
   test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
@@ -175,7 +175,7 @@ TEST(Raycaster, AgreesWithPlainRayMarching) {
     const double voxel_m = params.voxel_size_m;
     int both = 0;
     int one = 0;
-    int apart = 0;
+    int different = 0;
     for (int v = 0; v < K.height; ++v) {
       for (int u = 0; u < K.width; ++u) {
         const cl_float4& vertex = maps.vertices[static_cast<std::size_t>(v * K.width + u)];
@@ -188,18 +188,17 @@ TEST(Raycaster, AgreesWithPlainRayMarching) {
         if (t.has_value() != (vertex.s[3] > 0)) ++one;
         if (!t || vertex.s[3] == 0) continue;
         ++both;
-        apart += (vectorOf(vertex) / voxel_m - (origin + *t * direction)).norm() > 0.1;
+        different += (vectorOf(vertex) / voxel_m - (origin + *t * direction)).norm() > 0.1;
       }
     }
-    // They may part where a surface is seen edge-on or through a gap: the steps fall on different sides of
-    // it.
+    // Both may differ at grazing surfaces and gaps, where steps fall on different sides.
     EXPECT_GT(both, 4000);
     EXPECT_LT(one, 0.02 * both);
-    EXPECT_LT(apart, 0.02 * both);
+    EXPECT_LT(different, 0.02 * both);
   });
 }
 
-TEST(Raycaster, SeesNoSurfaceFromBehind) {
+TEST(Raycaster, FindsNoSurface_FromBehind) {
   test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 1}, {0, 0, -1});
@@ -213,7 +212,7 @@ TEST(Raycaster, SeesNoSurfaceFromBehind) {
   });
 }
 
-TEST(Raycaster, DoesNotDependOnWhatElseWasScanned) {
+TEST(Raycaster, IsUnaffected_ByDistantBricks) {
   test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 0.3}, {0.3, -0.2, -1}).sphere({0.05, -0.03, 0}, 0.2);
@@ -222,7 +221,7 @@ TEST(Raycaster, DoesNotDependOnWhatElseWasScanned) {
     fuse(compute, *map, scene, K, posesAround());
     const Eigen::Isometry3d T = posesAround()[1];
     const Maps before = castFrom(compute, *map, T, K);
-    // More than the first pool holds, kilometres away on all sides.
+    // More bricks than the first pool holds, kilometres away on all sides.
     std::vector<Eigen::Vector3i> far_bricks;
     for (int i = 0; i < 30000; ++i)
       far_bricks.emplace_back((i % 2 ? 1 : -1) * (20000 + i), -30000 + 2 * i, 50000 - i);
@@ -237,7 +236,7 @@ TEST(Raycaster, DoesNotDependOnWhatElseWasScanned) {
   });
 }
 
-TEST(Raycaster, WorksKilometersAway) {
+TEST(Raycaster, IsAccurate_KilometersFromTheOrigin) {
   test::onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d away(2000, -3000, 1500);
     AnalyticScene scene;
@@ -249,7 +248,7 @@ TEST(Raycaster, WorksKilometersAway) {
     fuse(compute, *map, scene, K, poses);
     const Accuracy accuracy = compare(castFrom(compute, *map, poses[0], K), scene, poses[0], K);
     EXPECT_GT(accuracy.share(accuracy.distances_m), 0.999);
-    // A float holds 3000 m to a quarter of a millimetre.
+    // A float resolves 3000 m to 0.25 mm.
     EXPECT_LT(quantile(accuracy.distances_m, 0.9), 0.001);
     EXPECT_LT(quantile(accuracy.distances_m, 0.99), kHalfPixelOfSlope_m);
     EXPECT_LT(quantile(accuracy.angles_deg, 0.99), 2.0);

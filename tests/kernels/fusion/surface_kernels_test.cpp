@@ -17,11 +17,11 @@ using test::onEachWidth;
 
 constexpr int kPad = 4;
 constexpr float kNoPlane = 1e30F;
-// Neighbours this near to the slope that decides (relatively), or planes this near in cost, may go either way
-// in float.
+// Float rounding may decide otherwise for neighbours this close to the slope limit (relative), or planes this
+// close in cost.
 constexpr double kUndecided = 1e-3;
 
-/// Rows of the kernels' images: 16 ceil(width / 16) pixels within a frame of kPad.
+/// Images of the kernels: rows of 16 ceil(width / 16) pixels, with a border of kPad.
 struct PaddedImage {
   int width, height, stride;
   PaddedImage(int w, int h) : width(w), height(h), stride((w + 15) / 16 * 16 + 2 * kPad) {}
@@ -29,7 +29,7 @@ struct PaddedImage {
   [[nodiscard]] std::size_t at(int u, int v) const {
     return static_cast<std::size_t>((v + kPad) * stride + u + kPad);
   }
-  /// Of the planes: four rows for each row, that of a, b, c and the error.
+  /// Planes have four rows per image row: a, b, c and the error.
   [[nodiscard]] std::size_t plane(int u, int v, int row) const {
     return static_cast<std::size_t>((4 * (v + kPad) + row) * stride + u + kPad);
   }
@@ -40,7 +40,7 @@ Intrinsics cameraOf(int width, int height) {
           width,  height};
 }
 
-/// A ridge, a valley, steps and noise; holes as 0 and as NaN, and readings of 65.535 m that stand for none.
+/// A ridge, a valley, steps and noise, with holes of 0, NaN and 65.535 m.
 std::vector<float> roughDepth(const Intrinsics& K, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, 1.0);
@@ -77,13 +77,13 @@ std::vector<Case> cases() {
   all.push_back({tall_pixels, roughDepth(tall_pixels, 5)});
   const Intrinsics K = cameraOf(33, 9);
   all.push_back({K, std::vector<float>(static_cast<std::size_t>(K.pixels()), 0.0F)});  // an empty frame
-  all.push_back(
-      {K, std::vector<float>(static_cast<std::size_t>(K.pixels()), 0.0F)});  // and one line of readings
+  all.push_back({K, std::vector<float>(static_cast<std::size_t>(K.pixels()),
+                                       0.0F)});  // a frame with one line of readings
   for (int u = 0; u < K.width; ++u) all.back().depth[static_cast<std::size_t>(4 * K.width + u)] = 1.5F;
   return all;
 }
 
-/// 1 / depth, 0 = none.
+/// 1 / depth; 0 without reading.
 Buffer<cl_float> inversePadded(ComputeContext& compute, const Case& c) {
   const PaddedImage image(c.K.width, c.K.height);
   std::vector<float> values(image.size(), 0.0F);
@@ -128,11 +128,11 @@ TEST(FitPlanes, MatchesTheFormula) {
           ASSERT_EQ(error < kNoPlane, expected.fits) << u << ' ' << v;
           if (!expected.fits) continue;
           ++fitted;
-          // Inverse depths of about 1 carry 6e-8 each; sums over the window are taken of their differences.
+          // Inverse depths of about 1 are rounded to 6e-8; the sums use their differences.
           ASSERT_NEAR(actual[image.plane(u, v, 0)], expected.a, 1e-6) << u << ' ' << v;
           ASSERT_NEAR(actual[image.plane(u, v, 1)], expected.b, 1e-6) << u << ' ' << v;
           ASSERT_NEAR(actual[image.plane(u, v, 2)], expected.c, 1e-6) << u << ' ' << v;
-          // The error is what two sums of at most 1e-3 leave, each to 1e-7.
+          // The error is the difference of two sums of at most 1e-3, each accurate to 1e-7.
           ASSERT_NEAR(error, expected.error, 1e-10 + 1e-3 * expected.error) << u << ' ' << v;
         }
       }
@@ -194,7 +194,7 @@ TEST(OrientSurface, MatchesTheFormula) {
           if (normal.normal.w() > 0) ++oriented;
           for (Eigen::Index k = 0; k < 4; ++k) {
             const auto component = static_cast<std::size_t>(k);
-            // A float holds 120 m to 8e-6 m, and 65 m seen from it likewise.
+            // A float resolves 120 m, and 65 m from there, to 8e-6 m.
             ASSERT_NEAR(actual_v[i].s[component], vertex[k], 3e-5) << u << ' ' << v;
             if (normal.margin < kUndecided) continue;
             ASSERT_NEAR(actual_n[i].s[component], normal.normal[k], 2e-5) << u << ' ' << v;

@@ -18,8 +18,8 @@ namespace scantrove {
 namespace {
 
 constexpr float kVoxel = 0.006F;
-constexpr int kSide = 152;                    // voxels of the dense volume: 0.912 m
-const Eigen::Vector3i kFirst(-76, -76, -40);  // it reaches into negative coordinates on all axes
+constexpr int kSide = 152;                                  // voxels of the dense volume: 0.912 m
+const Eigen::Vector3i kFirst(-76, -76, -40);                // all axes include negative coordinates
 const Intrinsics kCamera{110, 112, 52.3F, 41.1F, 107, 83};  // odd sizes
 
 /// A sphere in front of a slanted plane, seen from `T`; every 17th pixel has no surface.
@@ -72,7 +72,7 @@ class LabelCloudTest : public testing::TestWithParam<int> {
     return surface;
   }
 
-  /// Label of every voxel of the dense volume; counts labelled voxels anywhere.
+  /// Labels of all voxels of the dense volume; `labeled` counts all labelled voxels of the map.
   std::vector<std::uint32_t> denseLabels(const reference::DenseLabelCloud& shape, std::size_t& labeled) {
     std::vector<std::uint32_t> dense(shape.labels.size(), 0);
     const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
@@ -103,7 +103,7 @@ std::vector<int> allDevices() {
   return indices;
 }
 
-/// Patches of `fragments` in turn, from `first` on; some pixels without.
+/// Patches that cycle through `fragments` fragments from `first` on; some pixels have none.
 std::vector<FragmentId> randomPatches(unsigned seed, std::uint32_t first, std::uint32_t fragments = 20) {
   std::mt19937 random(seed);
   std::vector<FragmentId> patches;
@@ -129,7 +129,7 @@ Eigen::Isometry3d cameraAt(double x, double y, double yaw) {
   return T;
 }
 
-TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFrames) {
+TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithm_OverSeveralFrames) {
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
   LabelingParams params;
   params.voxel_confidence = false;  // Algorithm 1 overwrites
@@ -146,8 +146,8 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFram
   }
   std::size_t labeled = 0;
   const std::vector<std::uint32_t> sparse = denseLabels(dense, labeled);
-  // Kernel and reference round alike but may contract multiply-adds differently: a voxel that projects within
-  // an ulp of a pixel's border may take the neighbour. Among 10^5 labelled voxels that is a handful at most.
+  // Kernel and reference may contract multiply-adds differently, so a voxel that projects within an ulp of a
+  // pixel's border may take the neighbouring label. Of 10^5 labelled voxels, only a handful do.
   std::size_t different = 0;
   std::size_t expected = 0;
   for (std::size_t i = 0; i < sparse.size(); ++i) {
@@ -156,11 +156,10 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFram
   }
   EXPECT_GT(expected, 10000U);
   EXPECT_LE(different, expected / 20000);
-  EXPECT_EQ(labeled, expected)
-      << "a voxel outside of the dense volume was labelled, or the volume is too small";
+  EXPECT_EQ(labeled, expected) << "a voxel outside the dense volume was labelled";
 }
 
-TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
+TEST_P(LabelCloudTest, ProjectReadsBackUpdatedLabels) {
   LabelingParams params;
   params.voxel_confidence = false;
   const Eigen::Isometry3d T = cameraAt(0, 0, 0);
@@ -186,16 +185,16 @@ TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
     labeled += expected != 0 ? 1U : 0U;
     different += projected[i].value != expected ? 1U : 0U;
   }
-  // The voxel of a vertex may itself be seen through a neighbouring pixel without surface, or lie outside the
-  // image: it has no label then.
+  // The voxel centre of a vertex may project to a pixel without surface or outside the image; it has no label
+  // then.
   EXPECT_GT(labeled, vertices.size() * 8 / 10);
-  // Vertices and centres within an ulp of a border, as above.
+  // Rounding at borders, as above.
   EXPECT_LE(different, labeled / 1000);
 }
 
-// Voxels of bricks that there are not yet take their labels in a second run, which writes to no other: with
-// confidence, to write twice is seen.
-TEST_P(LabelCloudTest, WhichBricksExistBeforehandChangesNoVoxel) {
+// Voxels of missing bricks get their labels in a second run, which writes no other voxels. Confidences would
+// reveal double writes.
+TEST_P(LabelCloudTest, UpdateIsIndependent_OfExistingBricks) {
   using Contents = std::map<std::array<int, 3>, std::vector<cl_uint>>;  // of the bricks with labels
   const Eigen::Isometry3d T = cameraAt(0, 0, 0);
   const SurfaceMaps surface = toSurface(renderScene(T), T);
@@ -234,7 +233,7 @@ TEST_P(LabelCloudTest, WhichBricksExistBeforehandChangesNoVoxel) {
   }
 }
 
-/// Updates of one view, and the fragments that the cloud then holds.
+/// Updates of one view, and the resulting fragments of the cloud.
 class LabelCloudConfidenceTest : public LabelCloudTest {
  protected:
   void write(FragmentId fragment, int times, std::span<const FragmentId> split_off = {}) {
@@ -244,7 +243,7 @@ class LabelCloudConfidenceTest : public LabelCloudTest {
       (void)cloud_->update(surface, onlyFragment(fragment), split_off, params_, *bricks_);
     }
   }
-  std::set<std::uint32_t> held() {
+  std::set<std::uint32_t> fragmentsInCloud() {
     std::size_t labeled = 0;
     std::set<std::uint32_t> fragments;
     for (const std::uint32_t fragment :
@@ -258,44 +257,44 @@ class LabelCloudConfidenceTest : public LabelCloudTest {
   LabelingParams params_;
 };
 
-TEST_P(LabelCloudConfidenceTest, AnotherFragmentTakesAVoxelOnlyAfterAsManyFramesAsItWasSureOf) {
+TEST_P(LabelCloudConfidenceTest, ReplacesAFragment_AfterAsManyFramesAsItsConfidence) {
   write(first_, 3);
   write(second_, 2);
-  EXPECT_EQ(held(), std::set{first_.value});
+  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value});
   write(second_, 1);
-  EXPECT_EQ(held(), std::set{second_.value});
-  // Sure of itself by one frame now, so one of the other is enough.
+  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
+  // The confidence is one now, so one frame is enough.
   write(first_, 1);
-  EXPECT_EQ(held(), std::set{first_.value});
+  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value});
 }
 
-TEST_P(LabelCloudConfidenceTest, HasALimitSoThatAVoxelIsNeverLost) {
+TEST_P(LabelCloudConfidenceTest, ConfidenceIsLimited) {
   write(first_, 3 * static_cast<int>(LABEL_CONFIDENCE_MAX));
   write(second_, static_cast<int>(LABEL_CONFIDENCE_MAX) - 1);
-  EXPECT_EQ(held(), std::set{first_.value});
+  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value});
   write(second_, 1);
-  EXPECT_EQ(held(), std::set{second_.value});
+  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
 }
 
-TEST_P(LabelCloudConfidenceTest, GivesWayAtOnceToACarvedFragment) {
+TEST_P(LabelCloudConfidenceTest, ReplacesAFragmentAtOnce_AfterASplit) {
   write(first_, 8);
   write(second_, 1, std::array{second_});
-  EXPECT_EQ(held(), std::set{second_.value});
+  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
   write(first_, 1);
-  EXPECT_EQ(held(), std::set{first_.value}) << "and a voxel begins again with what it was cut to";
+  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value}) << "a split voxel starts with confidence one";
 }
 
-TEST_P(LabelCloudConfidenceTest, WhatOnlyConfirmsWhatIsSureIsWrittenInTurns) {
+TEST_P(LabelCloudConfidenceTest, WritesConfirmationsInTurns_AtFullConfidence) {
   write(first_, 1);
   const Eigen::Isometry3d T = cameraAt(0, 0, 0);
   const SurfaceMaps surface = toSurface(renderScene(T), T);
-  // Labelled voxels, all as sure as that from now on.
+  // Sets the confidence of all labelled voxels.
   const auto setConfidence = [&](std::uint32_t confidence) {
     std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
     for (cl_uint& voxel : voxels) voxel = LABEL_OF(voxel) == 0 ? 0 : LABEL_VOXEL(LABEL_OF(voxel), confidence);
     bricks_->pools().labels().write(compute_->queue(), voxels);
   };
-  // Which voxels an update writes to that follows a look at the view, where all were sure.
+  // The voxels that an update writes if projection found all of them at full confidence.
   const auto writtenBy = [&](FragmentId fragment) {
     setConfidence(LABEL_CONFIDENCE_MAX);
     (void)cloud_->project(surface, *bricks_);
@@ -309,7 +308,7 @@ TEST_P(LabelCloudConfidenceTest, WhatOnlyConfirmsWhatIsSureIsWrittenInTurns) {
     return written;
   };
   const std::set<std::size_t> all = writtenBy(second_);
-  ASSERT_GT(all.size(), 5000U) << "what is new has its turn at once";
+  ASSERT_GT(all.size(), 5000U) << "new labels are written at once";
   std::set<std::size_t> in_turns;
   for (int turn = 0; turn < 4; ++turn) {
     const std::set<std::size_t> now = writtenBy(first_);
@@ -320,11 +319,11 @@ TEST_P(LabelCloudConfidenceTest, WhatOnlyConfirmsWhatIsSureIsWrittenInTurns) {
   EXPECT_EQ(in_turns, all);
 }
 
-TEST_P(LabelCloudConfidenceTest, WithoutItEveryFrameOverwrites) {
+TEST_P(LabelCloudConfidenceTest, EveryFrameOverwrites_WithoutConfidence) {
   params_.voxel_confidence = false;
   write(first_, 8);
   write(second_, 1);
-  EXPECT_EQ(held(), std::set{second_.value});
+  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
 }
 
 TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
@@ -333,7 +332,7 @@ TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
   LabelingParams params;
   for (int frame = 0; frame < 40; ++frame) {
     const Eigen::Isometry3d T = cameraAt(0.01 * static_cast<double>(random() % 7), -0.01, 0.02 * (frame % 5));
-    // Fragments of earlier frames and, in frames that need more room, of much higher numbers.
+    // Fragments of earlier frames and, later, of much higher numbers, for which counters grow.
     const std::uint32_t first = 1 + static_cast<std::uint32_t>(random() % 9) * (frame < 20 ? 3U : 400U);
     params.voxel_confidence = random() % 4 != 0;
     const std::array split_off{FragmentId{first + 2}, FragmentId{first + 5}};
@@ -352,7 +351,7 @@ TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
   EXPECT_GT(std::ranges::count_if(counted, [](cl_int count) { return count > 0; }), 30);
 }
 
-TEST_P(LabelCloudTest, EmptyFrameTouchesNothing) {
+TEST_P(LabelCloudTest, UpdateChangesNothing_InAnEmptyFrame) {
   const SurfaceMaps surface = toSurface(
       std::vector<Eigen::Vector4f>(static_cast<std::size_t>(kCamera.pixels()), Eigen::Vector4f::Zero()),
       Eigen::Isometry3d::Identity());
@@ -360,13 +359,12 @@ TEST_P(LabelCloudTest, EmptyFrameTouchesNothing) {
   EXPECT_EQ(bricks_->brickCount(), 0);
 }
 
-TEST_P(LabelCloudTest, ExtractGivesEachBrickItsOwnNearSurfaceVoxels) {
+TEST_P(LabelCloudTest, ExtractGivesNearSurfaceVoxels_ByBrick) {
   const Eigen::Isometry3d T = cameraAt(0, 0, 0);
   const SurfaceMaps surface = toSurface(renderScene(T), T);
   const auto touched = cloud_->update(surface, randomPatches(1, 1), {}, {}, *bricks_);
   const std::vector<Eigen::Vector3i> bricks(touched.begin(), touched.end());
-  EXPECT_TRUE(cloud_->extract(bricks, *bricks_, 4).points.empty())
-      << "nothing was fused, so nothing has a surface";
+  EXPECT_TRUE(cloud_->extract(bricks, *bricks_, 4).points.empty()) << "without fusion there is no surface";
   // Every second voxel lies on the surface, the others half a truncation away.
   std::vector<test::HostVoxel> voxels = test::usedVoxels(*compute_, *bricks_);
   for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = {i % 2 == 0 ? 1 : 16000, 1};

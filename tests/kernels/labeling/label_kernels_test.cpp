@@ -35,7 +35,7 @@ std::vector<Eigen::Vector3i> bricksAroundOrigin(int reach) {
   return bricks;
 }
 
-/// A map with a label of its own in every voxel, more or less sure; `labels` are as projected.
+/// A map with a unique label in every voxel and various confidences; `labels` are the projected values.
 struct LabeledMap {
   LabeledMap(ComputeContext& compute, float voxel_size_m) : bricks(compute, voxel_size_m) {
     bricks.allocate(bricksAroundOrigin(2));
@@ -79,15 +79,15 @@ std::vector<std::uint32_t> project(ComputeContext& compute, const LabeledMap& ma
   return projected.read(compute.queue());
 }
 
-// A power of two: multiples of it, and so the borders between voxels, are exact in float.
+// A power of two, so that voxel borders are exact in float.
 constexpr float kExactVoxel_m = 1.0F / 128;
 
-TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
+TEST(ProjectLabels, BordersBelongToTheUpperVoxel) {
   onEachWidth([](ComputeContext& compute) {
     const LabeledMap map(compute, kExactVoxel_m);
     std::vector<Eigen::Vector4f> vertices;
     std::vector<std::uint32_t> expected;
-    // Along each axis in steps of a quarter of a voxel, from beyond the first brick to beyond the last.
+    // Quarter-voxel steps along each axis, from beyond the first brick to beyond the last.
     for (int axis = 0; axis < 3; ++axis) {
       for (int quarter = -68; quarter <= 68; ++quarter) {
         Eigen::Vector3f in_voxels(0.25F, -0.25F, 0.5F);
@@ -98,7 +98,7 @@ TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
       }
     }
     EXPECT_EQ(project(compute, map, vertices), expected);
-    // What the reference says, said once by hand: floor, neither rounding nor cutting off.
+    // Explicit expectations: indices are floored, neither rounded nor truncated.
     const auto labelAt = [&](float x) {
       return project(compute, map, {Eigen::Vector4f(x * kExactVoxel_m, 0, 0, 1)})[0];
     };
@@ -110,7 +110,7 @@ TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
   });
 }
 
-TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
+TEST(ProjectLabels, MatchesTheFormula) {
   onEachWidth([](ComputeContext& compute) {
     constexpr float kVoxel_m = 0.006F;
     const LabeledMap map(compute, kVoxel_m);
@@ -121,7 +121,7 @@ TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
     while (vertices.size() < 5003) {
       const Eigen::Vector3f p(coordinate(random), coordinate(random), coordinate(random));
       const Eigen::Vector3f in_voxels = p / kVoxel_m;
-      // Next to a border the rounding of the quotient decides.
+      // Next to a border, rounding of the quotient decides.
       if (((in_voxels.array() - in_voxels.array().round()).abs() < 1e-4F).any()) continue;
       vertices.emplace_back(p.x(), p.y(), p.z(), vertices.size() % 11 == 0 ? 0.0F : 1.0F);
     }
@@ -136,7 +136,7 @@ TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
   });
 }
 
-TEST(ProjectLabels, GivesNothingWhereThereIsNoVertex) {
+TEST(ProjectLabels, GivesNoLabel_WithoutVertex) {
   onEachWidth([](ComputeContext& compute) {
     const LabeledMap map(compute, kExactVoxel_m);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -146,14 +146,14 @@ TEST(ProjectLabels, GivesNothingWhereThereIsNoVertex) {
   });
 }
 
-TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
+TEST(ExtractPoints, MatchesTheFormula_InEveryBrick) {
   onEachDevice([](ComputeContext& compute) {
     constexpr float kVoxel_m = 0.006F;
     BrickMap bricks(compute, kVoxel_m);
     bricks.allocate(bricksAroundOrigin(1));
     auto cloud = LabelCloud::create(compute);
     ASSERT_TRUE(cloud) << cloud.error().message();
-    // Distances on both sides of the limit, to the last digit, for a truncation of 4 voxels.
+    // Distances just below and above the limit for a truncation of 4 voxels, among others.
     const std::vector<int> distances{2, 1, -1, 8191, -8191, 8192, -8192, 16000, 32767, -32767};
     std::mt19937 random(2);
     const auto used = static_cast<std::size_t>(bricks.brickCount()) * BRICK_VOXELS;
@@ -164,7 +164,7 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
       const cl_uint label = random() % 3 == 0 ? 0 : static_cast<cl_uint>(random() % LABEL_MAX);
       labels[i] = label == 0 ? 0 : LABEL_VOXEL(label, 1U);
     }
-    // One brick holds no label at all.
+    // One brick has no labels.
     std::fill_n(labels.begin() + 3 * BRICK_VOXELS, BRICK_VOXELS, 0U);
     std::vector<cl_uint> colors(voxels.size());
     for (cl_uint& color : colors) color = static_cast<cl_uint>(random());
@@ -218,7 +218,7 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
   });
 }
 
-TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
+TEST(ExtractPoints, GivesEqualPoints_OfSwappedOutBricks) {
   onEachDevice([](ComputeContext& compute) {
     const test::TemporaryFolder folder;
     BrickMap bricks(compute, 0.006F, {64, compute.isCpu(), folder.path()});
@@ -237,7 +237,7 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     test::writeVoxels(compute, bricks, voxels);
     bricks.pools().labels().write(compute.queue(), labels);
     bricks.pools().colors().write(compute.queue(), colors);
-    // Of several pages, all mixed up.
+    // Bricks of several pages in random order.
     std::vector<Eigen::Vector3i> listed = all;
     std::ranges::shuffle(listed, random);
     listed.resize(40);
@@ -246,11 +246,11 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     bricks.beginFrame({});
     std::vector<Eigen::Vector3i> elsewhere;
     for (int x = 100; x < 120; ++x) elsewhere.emplace_back(x, 0, 0);
-    bricks.allocate(elsewhere);  // takes the place of three of the pages
+    bricks.allocate(elsewhere);  // three pages are swapped out
     ASSERT_NE(bricks.device().slotOf({0, 0, 0}), BRICK_NONE);
     ASSERT_EQ(bricks.device().slotOf({-1, -1, -1}), BRICK_NONE);
-    const int here = bricks.device().brickCount();
-    ASSERT_EQ(here, 60);
+    const int resident = bricks.device().brickCount();
+    ASSERT_EQ(resident, 60);
     const LabelCloud::Extract after = (*cloud)->extract(listed, bricks, 4);
     EXPECT_EQ(after.first, before.first);
     ASSERT_EQ(after.points.size(), before.points.size());
@@ -265,7 +265,7 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
       ASSERT_EQ(after.points[i].normal_y, before.points[i].normal_y);
       ASSERT_EQ(after.points[i].normal_z, before.points[i].normal_z);
     }
-    EXPECT_EQ(bricks.device().brickCount(), here) << "reading is not bringing back";
+    EXPECT_EQ(bricks.device().brickCount(), resident) << "extraction swaps no bricks in";
   });
 }
 

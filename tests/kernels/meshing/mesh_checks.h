@@ -13,25 +13,25 @@
 
 namespace scantrove::test {
 
-/// What of a mesh is not as it should be, counted.
+/// Numbers of faults of a mesh.
 struct MeshFaults {
-  int not_numbers = 0;
-  int bad_normals = 0;    ///< not of length 1
-  int unused = 0;         ///< vertices
-  int without_area = 0;   ///< faces
-  int twice = 0;          ///< faces with the vertices of another
-  int edges_of_many = 0;  ///< of two faces that go through it the same way
-  int same_places = 0;    ///< vertices at the place of another
+  int not_finite = 0;       ///< vertices
+  int bad_normals = 0;      ///< not of length 1
+  int unused = 0;           ///< vertices
+  int without_area = 0;     ///< faces
+  int duplicate_faces = 0;  ///< faces with the vertices of another
+  int edges_of_many = 0;    ///< edges that two faces use in the same direction
+  int duplicates = 0;       ///< vertices at the position of another
 };
 
 inline MeshFaults faultsOf(const SurfaceMesh& mesh) {
   MeshFaults faults;
-  std::set<std::array<float, 3>> places;
+  std::set<std::array<float, 3>> positions;
   for (const SurfaceMesh::Vertex& vertex : mesh.vertices) {
-    faults.not_numbers += !vertex.position.allFinite() || !vertex.normal.allFinite() ? 1 : 0;
+    faults.not_finite += !vertex.position.allFinite() || !vertex.normal.allFinite() ? 1 : 0;
     faults.bad_normals += std::abs(vertex.normal.norm() - 1) > 1e-4F ? 1 : 0;
     const Eigen::Vector3f& p = vertex.position;
-    faults.same_places += places.insert({p.x(), p.y(), p.z()}).second ? 0 : 1;
+    faults.duplicates += positions.insert({p.x(), p.y(), p.z()}).second ? 0 : 1;
   }
   std::vector<bool> used(mesh.vertices.size(), false);
   std::set<std::array<std::uint32_t, 3>> faces;
@@ -46,7 +46,7 @@ inline MeshFaults faultsOf(const SurfaceMesh& mesh) {
     faults.without_area += (p[1] - p[0]).cross(p[2] - p[0]).norm() > 0 ? 0 : 1;
     std::array<std::uint32_t, 3> sorted = face;
     std::ranges::sort(sorted);
-    faults.twice += faces.insert(sorted).second ? 0 : 1;
+    faults.duplicate_faces += faces.insert(sorted).second ? 0 : 1;
   }
   faults.unused = static_cast<int>(std::ranges::count(used, false));
   return faults;
@@ -54,16 +54,16 @@ inline MeshFaults faultsOf(const SurfaceMesh& mesh) {
 
 inline void expectNoFaults(const SurfaceMesh& mesh) {
   const MeshFaults faults = faultsOf(mesh);
-  EXPECT_EQ(faults.not_numbers, 0);
+  EXPECT_EQ(faults.not_finite, 0);
   EXPECT_EQ(faults.bad_normals, 0);
   EXPECT_EQ(faults.unused, 0);
   EXPECT_EQ(faults.without_area, 0);
-  EXPECT_EQ(faults.twice, 0);
+  EXPECT_EQ(faults.duplicate_faces, 0);
   EXPECT_EQ(faults.edges_of_many, 0);
-  EXPECT_EQ(faults.same_places, 0);
+  EXPECT_EQ(faults.duplicates, 0);
 }
 
-/// Edges of one face only: vertices from which they start.
+/// Start vertices of edges with only one face.
 inline std::vector<std::uint32_t> borderOf(const SurfaceMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const auto& face : mesh.faces) {
@@ -76,7 +76,7 @@ inline std::vector<std::uint32_t> borderOf(const SurfaceMesh& mesh) {
   return border;
 }
 
-/// Six times the volume that a closed mesh holds, positive if its faces look outwards, is the sum over these.
+/// The volume of a closed mesh; positive if its faces point outwards.
 inline double volumeOf(const SurfaceMesh& mesh) {
   double volume = 0;
   for (const auto& face : mesh.faces) {

@@ -35,7 +35,7 @@ PaintedScene twoColored(const test::AnalyticScene& shape) {
           }};
 }
 
-/// Cameras all around a place: the corners, edges and faces of a cube as seen from its middle.
+/// 26 cameras around a point, in the directions of the corners, edges and faces of a cube.
 std::vector<Eigen::Isometry3d> around(const Eigen::Vector3d& center, double distance) {
   std::vector<Eigen::Isometry3d> poses;
   for (int i = 0; i < 27; ++i) {
@@ -46,7 +46,7 @@ std::vector<Eigen::Isometry3d> around(const Eigen::Vector3d& center, double dist
   return poses;
 }
 
-/// A value of its own for every voxel of a map: signed distances of a function of place, in voxels.
+/// Fills seen voxels with a signed distance function (voxels) of the position.
 void fillMap(ComputeContext& compute, BrickMap& map,
              const std::function<double(const Eigen::Vector3d&)>& field,
              const std::function<bool(const Eigen::Vector3i& voxel)>& is_seen) {
@@ -79,7 +79,7 @@ SurfaceMesh meshOf(BrickMap& map) {
   return mesh.value_or(SurfaceMesh{});
 }
 
-TEST(MeshExtractor, ABallSeenFromAllSidesIsClosedAndWhereItIs) {
+TEST(MeshExtractor, ABallIsClosedAndAccurate) {
   test::onEachDevice([](ComputeContext& compute) {
     const Eigen::Vector3d center(0.013, -0.007, 0.021);  // across eight pages
     const double radius = 0.25;
@@ -101,7 +101,7 @@ TEST(MeshExtractor, ABallSeenFromAllSidesIsClosedAndWhereItIs) {
       farthest = std::max(farthest, std::abs(from_center.norm() - radius));
       least_cosine = std::min(least_cosine, vertex.normal.cast<double>().dot(from_center.normalized()));
       without_color += vertex.has_color ? 0 : 1;
-      if (std::abs(vertex.position.x()) < 2 * kVoxel_m) continue;  // where the paint meets
+      if (std::abs(vertex.position.x()) < 2 * kVoxel_m) continue;  // near the border of both colours
       const Color expected = vertex.position.x() < 0 ? Color{200, 40, 30} : Color{20, 60, 220};
       for (std::size_t i = 0; i < 3; ++i) {
         of_wrong_color += std::abs(vertex.color[i] - expected[i]) > 15 ? 1 : 0;
@@ -116,7 +116,7 @@ TEST(MeshExtractor, ABallSeenFromAllSidesIsClosedAndWhereItIs) {
   });
 }
 
-TEST(MeshExtractor, ABoxOnATableEndsOnlyWhereTheTableIsNoLongerSeen) {
+TEST(MeshExtractor, ABoxOnATableHasNoHoles) {
   test::onEachDevice([](ComputeContext& compute) {
     const double height = 0.0023;  // of the table
     const Eigen::Vector3d low(-0.152, -0.094, height);
@@ -169,11 +169,11 @@ TEST(MeshExtractor, ABoxOnATableEndsOnlyWhereTheTableIsNoLongerSeen) {
   });
 }
 
-TEST(MeshExtractor, FollowsAnyFieldWithoutCracks) {
+TEST(MeshExtractor, HasNoHoles_InARandomField) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, kVoxel_m);
     map.allocate(cubeOfBricks(-2, 2));  // where eight pages meet
-    // Noise: every case of marching cubes, ambiguous ones too, many on the borders of pages; and zeros.
+    // Noise covers all cases of marching cubes, also at page borders and with zeros.
     std::mt19937 random(5);
     fillMap(
         compute, map, [&](const Eigen::Vector3d&) { return static_cast<int>(random() % 9) - 4; },
@@ -190,7 +190,7 @@ TEST(MeshExtractor, FollowsAnyFieldWithoutCracks) {
   });
 }
 
-TEST(MeshExtractor, CellsNeedAllEightOfTheirVoxels) {
+TEST(MeshExtractor, SkipsCells_WithAnUnseenVoxel) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, kVoxel_m);
     map.allocate(cubeOfBricks(-1, 1));
@@ -199,7 +199,7 @@ TEST(MeshExtractor, CellsNeedAllEightOfTheirVoxels) {
     fillMap(compute, map, plane, all_but_one);
     const SurfaceMesh mesh = meshOf(map);
     test::expectNoFaults(mesh);
-    // The voxel lacks in the four cells around it, two triangles each, of 15 x 15 cells.
+    // The unseen voxel removes 4 of 15 x 15 cells with two triangles each.
     EXPECT_EQ(mesh.faces.size(), 2U * (15 * 15 - 4));
     for (const SurfaceMesh::Vertex& vertex : mesh.vertices) {
       EXPECT_NEAR(vertex.position.z(), 0.3 * kVoxel_m, 1e-5);
@@ -210,7 +210,7 @@ TEST(MeshExtractor, CellsNeedAllEightOfTheirVoxels) {
   });
 }
 
-TEST(MeshExtractor, NothingOfNothing) {
+TEST(MeshExtractor, IsEmpty_WhenTheMapIsEmpty) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, kVoxel_m);
     EXPECT_TRUE(meshOf(map) == SurfaceMesh{});
@@ -219,14 +219,14 @@ TEST(MeshExtractor, NothingOfNothing) {
   });
 }
 
-TEST(MeshExtractor, ColorLiesBetweenAndLabelsAreTheNearest) {
+TEST(MeshExtractor, InterpolatesColorsAndTakesTheNearestLabel) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, kVoxel_m);
     map.allocate(cubeOfBricks(-1, 1));
     fillMap(
         compute, map, [](const Eigen::Vector3d& p) { return p.z() - 0.25; },
         [](const Eigen::Vector3i&) { return true; });
-    // Voxels of z = -1 and z = 0 are on both sides, the vertex three quarters of the way up.
+    // Vertices lie three quarters of the way from voxels of z = -1 to voxels of z = 0.
     std::vector<cl_uint> colors(static_cast<std::size_t>(map.device().slotEnd()) * BRICK_VOXELS, 0);
     std::vector<cl_uint> labels(colors.size(), 0);
     const auto at = [&](int x, int y, int z) {
@@ -248,7 +248,7 @@ TEST(MeshExtractor, ColorLiesBetweenAndLabelsAreTheNearest) {
     EXPECT_EQ(mesh.vertices.size(), 256U);
     for (const SurfaceMesh::Vertex& vertex : mesh.vertices) {
       const Eigen::Vector3f p = vertex.position / kVoxel_m;
-      // Two voxels beyond the last one that has it, both are still known.
+      // Colour and label extend two voxels beyond the last voxel that has them.
       ASSERT_EQ(vertex.has_color, p.x() < 2);
       ASSERT_EQ(static_cast<bool>(vertex.fragment), p.x() < 5);
       if (p.x() < 0) {
@@ -262,7 +262,7 @@ TEST(MeshExtractor, ColorLiesBetweenAndLabelsAreTheNearest) {
   });
 }
 
-/// Balls along x, of which few are in view at a time.
+/// Records balls along x, few of them per view.
 void recordBalls(ColorRig& rig) {
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d center(0.9 * i, 0, 0);
@@ -275,7 +275,7 @@ void recordBalls(ColorRig& rig) {
   }
 }
 
-TEST(MeshExtractor, TheMemoryBudgetChangesNothing) {
+TEST(MeshExtractor, IsEqual_WithASmallMemoryBudget) {
   test::onEachDevice([](ComputeContext& compute) {
     ColorRig with_all(compute, meshParams());
     ColorRig with_little(compute, meshParams(1));
@@ -283,30 +283,30 @@ TEST(MeshExtractor, TheMemoryBudgetChangesNothing) {
     recordBalls(with_little);
     EXPECT_EQ(with_all.map().bricks().storedBytes(), 0U);
     EXPECT_GT(with_little.map().bricks().storedBytes(), 0U);
-    const int here = with_little.map().bricks().device().brickCount();
-    EXPECT_LT(2 * here, with_little.map().bricks().brickCount());
+    const int resident = with_little.map().bricks().device().brickCount();
+    EXPECT_LT(2 * resident, with_little.map().bricks().brickCount());
     const SurfaceMesh mesh = meshOf(with_all.map().bricks());
     EXPECT_GT(mesh.vertices.size(), 5000U);
     test::expectNoFaults(mesh);
     EXPECT_GT(std::ranges::count(mesh.vertices, true, &SurfaceMesh::Vertex::has_color), 5000);
     EXPECT_TRUE(meshOf(with_little.map().bricks()) == mesh);
-    EXPECT_EQ(with_little.map().bricks().device().brickCount(), here) << "reading is not bringing back";
+    EXPECT_EQ(with_little.map().bricks().device().brickCount(), resident) << "extraction swaps no bricks in";
   });
 }
 
-TEST(MeshExtractor, TellsHowFarItIsAndStops) {
+TEST(MeshExtractor, ReportsProgressAndCanBeCancelled) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, kVoxel_m);
     map.allocate(cubeOfBricks(-9, 9));
-    std::vector<double> told;
+    std::vector<double> progress;
     EXPECT_TRUE(extractMesh(map, [&](double done) {
-      told.push_back(done);
+      progress.push_back(done);
       return true;
     }));
-    ASSERT_EQ(told.size(), 65U);  // 64 pages, and the end
-    EXPECT_TRUE(std::ranges::is_sorted(told));
-    EXPECT_EQ(told.front(), 0);
-    EXPECT_EQ(told.back(), 1);
+    ASSERT_EQ(progress.size(), 65U);  // 64 pages, and the end
+    EXPECT_TRUE(std::ranges::is_sorted(progress));
+    EXPECT_EQ(progress.front(), 0);
+    EXPECT_EQ(progress.back(), 1);
     int calls = 0;
     EXPECT_FALSE(extractMesh(map, [&](double) { return ++calls < 10; }));
     EXPECT_EQ(calls, 10);

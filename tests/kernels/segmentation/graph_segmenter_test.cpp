@@ -80,7 +80,7 @@ TEST(GraphSegmenter, EqualsTheLiteralAlgorithm) {
       params.min_max_distance_m = 0.05F;
       const SegmentMap map = segment(compute, surface, params);
       const reference::LiteralPartition literal(map.ids.size(), edgesOf(compute, surface, params), k);
-      std::vector<std::uint32_t> expected;  // 1, 2, ... by the first pixel; missing pixels 0
+      std::vector<std::uint32_t> expected;  // ids 1, 2, ... in the order of first pixels; 0 without surface
       std::map<std::uint32_t, std::uint32_t> numbers;
       for (std::size_t i = 0; i < map.ids.size(); ++i) {
         const bool present = scene.vertices[i].s[3] > 0;
@@ -95,7 +95,7 @@ TEST(GraphSegmenter, EqualsTheLiteralAlgorithm) {
   });
 }
 
-TEST(GraphSegmenter, SmallSegmentsAreThoseThatNothingMayAbsorb) {
+TEST(GraphSegmenter, LeavesNoSmallSegment_WithANeighbor) {
   const Scene scene = noisyScene(157, 117, 6);
   test::onEachDevice([&](ComputeContext& compute) {
     const SurfaceMaps surface = upload(compute, scene);
@@ -108,7 +108,7 @@ TEST(GraphSegmenter, SmallSegmentsAreThoseThatNothingMayAbsorb) {
   });
 }
 
-TEST(GraphSegmenter, AreasAndNumbersAreConsistentAndRepeatable) {
+TEST(GraphSegmenter, AreasAndIdsAreConsistentAndDeterministic) {
   const Scene scene = noisyScene(317, 233, 8);
   test::onEachDevice([&](ComputeContext& compute) {
     auto segmenter = GraphSegmenter::create(compute);
@@ -133,7 +133,7 @@ TEST(GraphSegmenter, AreasAndNumbersAreConsistentAndRepeatable) {
   });
 }
 
-TEST(GraphSegmenter, AValleyPartsAndARidgeDoesNot) {
+TEST(GraphSegmenter, SplitsAtAValleyButNotAtARidge) {
   const Intrinsics K{260, 260, 79.5F, 59.5F, 160, 120};
   test::onEachDevice([&](ComputeContext& compute) {
     for (const bool convex : {true, false}) {
@@ -148,7 +148,7 @@ TEST(GraphSegmenter, AValleyPartsAndARidgeDoesNot) {
   });
 }
 
-TEST(GraphSegmenter, EmptyFramesHaveNoSegments) {
+TEST(GraphSegmenter, FindsNoSegments_InAnEmptyFrame) {
   test::onEachDevice([](ComputeContext& compute) {
     const Scene scene{{100, 100, 8, 6, 17, 13},
                       std::vector<cl_float4>(221, cl_float4{{0, 0, 0, 0}}),

@@ -30,7 +30,7 @@ std::vector<cl_float4> refine(ComputeContext& compute, const Intrinsics& K,
   return refiner->refine(surface, params).read(compute.queue());
 }
 
-TEST(RefineNormals, PlanesAndValleysAreExactRidgesAreSmooth) {
+TEST(RefineNormals, AreExactOnPlanesAndValleysAndSmoothOnRidges) {
   const Intrinsics K{260, 260, 31.5F, 23.5F, 64, 48};
   test::onEachWidth([&](ComputeContext& compute) {
     for (const bool convex : {false, true}) {
@@ -41,7 +41,7 @@ TEST(RefineNormals, PlanesAndValleysAreExactRidgesAreSmooth) {
         for (int x = 0; x < K.width; ++x) {
           const auto i = static_cast<std::size_t>(y * K.width + x);
           ASSERT_EQ(normals[i].s[3], 1.0F);
-          // 0.2 degrees: vertices at 1 m are rounded to 6e-8 m, over windows of ~ 15 mm.
+          // 0.2 degrees, from float vertices at 1 m (rounded to 6e-8 m) and windows of about 15 mm.
           const double turn_rad =
               std::acos(std::min(1.0, toEigen(normals[i]).dot(toEigen(scene.normals[i]))));
           const bool at_crease = x >= 32 - kRadius_px && x < 32 + kRadius_px;
@@ -104,14 +104,14 @@ TEST(RefineNormals, EqualsTheFormula) {
             if (windows.back().fits) best = std::min(best, windows.back().rms_m);
           }
         }
-        if (margin < 1e-3) continue;  // a reading on the gate, where float may decide otherwise
+        if (margin < 1e-3) continue;  // a reading lies on the gate within float rounding
         ASSERT_EQ(normals[i].s[3] > 0, best < 1e8);
         if (best > 1e8) continue;
         const Eigen::Vector3d normal_camera = T_camera_world.linear() * toEigen(normals[i]);
         const bool may_keep = center.fits && center.concavity_m < params.concave_from_m + 1e-5;
         const bool may_move = !center.fits || center.concavity_m > params.concave_from_m - 1e-5;
-        // Float moments of noise of 1 mm are good for 1e-3 of direction; windows equal in rms within 5 um may
-        // be exchanged.
+        // With 1 mm of noise, float moments give the direction to 1e-3. Windows whose rms differs by less
+        // than 5 um are interchangeable.
         bool found = may_keep && (normal_camera - center.normal).norm() < 2e-3;
         own += found ? 1 : 0;
         for (const reference::WindowPlane& window : windows) {
@@ -127,11 +127,11 @@ TEST(RefineNormals, EqualsTheFormula) {
   });
 }
 
-TEST(RefineNormals, EmptyFrameHasNone) {
+TEST(RefineNormals, HasNoNormals_InAnEmptyFrame) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K{100, 100, 8, 6, 17, 13};
-    const std::vector<cl_float4> nothing(17 * 13, cl_float4{{0, 0, 0, 0}});
-    for (const cl_float4& n : refine(compute, K, Eigen::Isometry3d::Identity(), nothing, {})) {
+    const std::vector<cl_float4> no_surface(17 * 13, cl_float4{{0, 0, 0, 0}});
+    for (const cl_float4& n : refine(compute, K, Eigen::Isometry3d::Identity(), no_surface, {})) {
       for (const float value : n.s) EXPECT_EQ(value, 0.0F);
     }
   });

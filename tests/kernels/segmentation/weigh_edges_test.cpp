@@ -36,7 +36,7 @@ EdgeKeys weigh(ComputeContext& compute, const SurfaceMaps& surface, const Segmen
   return edges;
 }
 
-/// Weights of edges across the crease of a wedge, both ways over it, in all four directions.
+/// Checks the weights of edges across the crease of a wedge in all four directions.
 void expectCreaseWeight(ComputeContext& compute, bool convex, double turn_rad, bool level, double normal_sign,
                         double expected) {
   const Intrinsics K{300, 300, 31.5F, 23.5F, 64, 48};
@@ -59,7 +59,7 @@ void expectCreaseWeight(ComputeContext& compute, bool convex, double turn_rad, b
         } else {
           ++crossing;
           EXPECT_NEAR(weight, expected, expected / 1024)
-              << "direction " << direction;  // the key's 1/2048 and float rounding
+              << "direction " << direction;  // 1/2048 from the key, and float rounding
         }
       }
     }
@@ -67,14 +67,14 @@ void expectCreaseWeight(ComputeContext& compute, bool convex, double turn_rad, b
   EXPECT_GT(crossing, K.height * 2);
 }
 
-TEST(WeighEdges, BoxEdgeIsConvexAndBoxOnTableConcave) {
+TEST(WeighEdges, DistinguishesConvexFromConcaveCreases) {
   test::onEachWidth([](ComputeContext& compute) {
     for (const double turn_rad : {0.3, 0.9, 1.5}) {
       for (const bool level : {false, true}) {
         const double bend = 1 - std::cos(turn_rad);
         expectCreaseWeight(compute, true, turn_rad, level, 1, bend * bend);
         expectCreaseWeight(compute, false, turn_rad, level, 1, bend);
-        // With normals away from the camera the two would change places: the convention matters.
+        // With normals away from the camera, convex and concave are exchanged.
         expectCreaseWeight(compute, true, turn_rad, level, -1, bend);
         expectCreaseWeight(compute, false, turn_rad, level, -1, bend * bend);
       }
@@ -83,7 +83,7 @@ TEST(WeighEdges, BoxEdgeIsConvexAndBoxOnTableConcave) {
 }
 
 TEST(WeighEdges, EqualsTheFormula) {
-  // Bumpy surface with holes, NaN and steps, in a world that is turned against the camera; an odd size.
+  // An image of odd size of a bumpy surface with holes, NaN and steps; world and camera frames differ.
   const Intrinsics K{260, 262, 157.2F, 118.4F, 317, 233};
   std::mt19937 random(3);
   std::uniform_real_distribution<float> noise(-1, 1);
@@ -135,7 +135,7 @@ TEST(WeighEdges, EqualsTheFormula) {
       SurfaceMaps surface = upload(compute, K, vertices, normals);
       surface.T_world_camera = T_world_camera;
       const EdgeKeys edges = weigh(compute, surface, params);
-      int joined = 0, apart = 0;
+      int joined = 0, separate = 0;
       for (int y = 0; y < K.height; ++y) {
         for (int x = 0; x < K.width; ++x) {
           const auto i = static_cast<std::size_t>(y * K.width + x);
@@ -157,33 +157,33 @@ TEST(WeighEdges, EqualsTheFormula) {
             const double z = std::min((T_camera_world * v_i).z(), (T_camera_world * v_j).z());
             const double d_max = std::max<double>(params.max_distance_factor * z / std::min(K.fx, K.fy),
                                                   params.min_max_distance_m);
-            // Single precision may decide the two comparisons differently within its rounding of ~1e-7 m.
+            // Float rounding of about 1e-7 m may change the result of both comparisons.
             if (std::abs((v_i - v_j).norm() - d_max) < 1e-6 || std::abs((v_j - v_i).dot(n_j)) < 1e-6)
               continue;
             const std::optional<double> expected = reference::edgeWeight(v_i, n_i, v_j, n_j, d_max);
             if (!expected) {
-              ++apart;
+              ++separate;
               ASSERT_EQ(key, kEdgeNever);
               continue;
             }
             ++joined;
             ASSERT_NE(key, kEdgeNever);
-            // 1/2048 for the key; 4e-7 because float normals are of unit length only so far.
+            // 1/2048 from the key; 4e-7 from float normals that are not exactly of unit length.
             ASSERT_NEAR(edgeWeight(key), *expected, *expected / 1024 + 4e-7);
           }
         }
       }
       EXPECT_GT(joined, 100000);
-      EXPECT_GT(apart, 1000);
+      EXPECT_GT(separate, 1000);
     }
   });
 }
 
-TEST(WeighEdges, EmptyFrameHasNoEdges) {
+TEST(WeighEdges, HasNoEdges_InAnEmptyFrame) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K{100, 100, 8, 6, 17, 13};
-    const std::vector<cl_float4> nothing(17 * 13, cl_float4{{0, 0, 0, 0}});
-    const EdgeKeys edges = weigh(compute, upload(compute, K, nothing, nothing), {});
+    const std::vector<cl_float4> no_surface(17 * 13, cl_float4{{0, 0, 0, 0}});
+    const EdgeKeys edges = weigh(compute, upload(compute, K, no_surface, no_surface), {});
     for (const cl_ushort4& keys : edges.keys) {
       for (const cl_ushort key : keys.s) EXPECT_EQ(key, kEdgeNever);
     }

@@ -13,10 +13,10 @@ namespace {
 
 using reference::DepthImage;
 
-// Floats of a few metres carry 2.4e-7 m; a dozen operations on differences stay below this.
+// Floats of a few metres are rounded to 2.4e-7 m; a dozen operations on differences stay below this.
 constexpr double kTolerance_m = 3e-6;
 
-/// Slanted ground, a step, noise like a camera's, holes, and a border of readings.
+/// Slanted ground, a step, camera noise and holes.
 DepthImage testImage(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, 1.0);
@@ -57,7 +57,7 @@ DepthImage read(ComputeContext& compute, const DepthPlane& plane) {
       inside += static_cast<double>(image.at(u, v) = all[indexIn(plane, u, v)]);
     }
   }
-  EXPECT_NEAR(inside, everything, 1e-6) << "the frame of zeros was written to";
+  EXPECT_NEAR(inside, everything, 1e-6) << "the border of zeros was overwritten";
   return image;
 }
 
@@ -127,7 +127,7 @@ DepthImage reduced(ComputeContext& compute, const DepthImage& large, int width, 
   return read(compute, small);
 }
 
-DepthImage turned(const DepthImage& image, bool mirror_u, bool mirror_v) {
+DepthImage mirrored(const DepthImage& image, bool mirror_u, bool mirror_v) {
   DepthImage result(image.width, image.height);
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
@@ -137,7 +137,7 @@ DepthImage turned(const DepthImage& image, bool mirror_u, bool mirror_v) {
   return result;
 }
 
-/// Sizes as cameras have them, and their reductions to a working width of 320 or 40.
+/// Image sizes of cameras, and their reduced sizes.
 struct Reduction {
   int width, height, small_width, small_height;
 };
@@ -145,7 +145,7 @@ constexpr Reduction kReductions[] = {{317, 233, 317, 233}, {317, 233, 100, 74}, 
                                      {640, 480, 320, 240}, {848, 480, 320, 181},  {424, 240, 320, 181},
                                      {641, 480, 320, 240}, {1024, 768, 320, 240}, {8192, 64, 320, 3}};
 
-TEST(ReduceDepth, MatchesTheFormulaAtAnyRatio) {
+TEST(ReduceDepth, MatchesTheFormula_AtAnyRatio) {
   onEachDevice([](ComputeContext& compute) {
     for (const Reduction& c : kReductions) {
       SCOPED_TRACE(c.width);
@@ -165,8 +165,8 @@ TEST(ReduceDepth, GivesMirroredDepth_WhenImageIsMirrored) {
       const DepthImage large = testImage(c.width, c.height, 13);
       const DepthImage expected = reduced(compute, large, c.small_width, c.small_height);
       for (const auto& [u, v] : {std::pair(true, false), {false, true}, {true, true}}) {
-        expectSame(reduced(compute, turned(large, u, v), c.small_width, c.small_height),
-                   turned(expected, u, v));
+        expectSame(reduced(compute, mirrored(large, u, v), c.small_width, c.small_height),
+                   mirrored(expected, u, v));
       }
     }
   });
@@ -207,7 +207,7 @@ TEST(BuildSurface, MatchesTheFormula) {
           const auto c = static_cast<std::size_t>(k);
           ASSERT_NEAR(static_cast<double>(actual_v[i].s[c]), expected.vertices[i](k), kTolerance_m)
               << "vertex " << i;
-          // Differences of a few mm carry 2.4e-7 m of rounding each, so angles carry about 1e-4.
+          // Differences of a few mm have rounding errors of 2.4e-7 m, so angles have about 1e-4.
           ASSERT_NEAR(static_cast<double>(actual_n[i].s[c]), expected.normals[i](k), 5e-4) << "normal " << i;
         }
       }

@@ -20,7 +20,7 @@ int countValid(const std::vector<cl_float4>& map) {
       std::count_if(map.begin(), map.end(), [](const cl_float4& e) { return e.s[3] == 1.0F; }));
 }
 
-TEST(DepthPreprocessor, PyramidHasTheShapesOfTheHeader) {
+TEST(DepthPreprocessor, PyramidHasTheDocumentedSizes) {
   onEachWidth([](ComputeContext& compute) {
     struct Case {
       int width, height, working, level_width, level_height;
@@ -61,7 +61,7 @@ TEST(DepthPreprocessor, RefusesImages_WhenTheyAreTooNarrow) {
   });
 }
 
-TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
+TEST(DepthPreprocessor, GivesPositionAndNormalOfAPlane) {
   onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d point(0, 0, 1.5), normal = Eigen::Vector3d(0.4, -0.3, -1).normalized();
     AnalyticScene scene;
@@ -77,7 +77,7 @@ TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
           const auto i = static_cast<std::size_t>(v * level.K.width + u);
           const Eigen::Vector3d p(vertices[i].s[0], vertices[i].s[1], vertices[i].s[2]);
           const Eigen::Vector3d n(normals[i].s[0], normals[i].s[1], normals[i].s[2]);
-          // 0.2 mm units, averaged; the mean over a square that is not flat in depth adds 0.1 mm.
+          // Units of 0.2 mm, averaged; the mean over a slanted square adds 0.1 mm.
           ASSERT_NEAR(normal.dot(p - point), 0, 4e-4);
           ASSERT_GT(n.dot(normal), 0.995);
         }
@@ -86,7 +86,7 @@ TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
   });
 }
 
-TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
+TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndIgnoreOtherSurfaces) {
   onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d center(0, 0, 1.4);
     AnalyticScene scene;
@@ -105,9 +105,9 @@ TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
       EXPECT_NEAR(n.norm(), 1, 1e-5);
       if (p.z() > 2.4) {
         ++on_wall;
-        ASSERT_GT(-n.z(), 0.99);  // a normal across the edge would lean far
+        ASSERT_GT(-n.z(), 0.99);  // a normal across the edge would be tilted
       } else {
-        ASSERT_LT(p.z(), 1.45);  // nothing floats between ball and wall
+        ASSERT_LT(p.z(), 1.45);  // no vertices between ball and wall
         const Eigen::Vector3d outwards = (p - center).normalized();
         if (-outwards.dot(p.normalized()) < 0.4) continue;  // grazing
         ++on_ball;
@@ -119,7 +119,7 @@ TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
   });
 }
 
-TEST(DepthPreprocessor, FramesWithoutReadingsGiveEmptyMaps) {
+TEST(DepthPreprocessor, GivesEmptyMaps_WithoutReadings) {
   onEachWidth([](ComputeContext& compute) {
     const auto preprocessor = make(compute, kKinect);
     RgbdFrame frame;
@@ -137,7 +137,7 @@ TEST(DepthPreprocessor, FramesWithoutReadingsGiveEmptyMaps) {
   });
 }
 
-TEST(DepthPreprocessor, HolesHoldNoNumbersThatAreNone) {
+TEST(DepthPreprocessor, GivesFiniteValues_InHoles) {
   onEachWidth([](ComputeContext& compute) {
     const auto preprocessor = make(compute, kKinect);
     RgbdFrame frame;

@@ -10,7 +10,7 @@
 namespace scantrove::test {
 namespace {
 
-std::vector<RgbdFrame> filmed(synthetic::SceneRecipe (*set)(), int frames, int stride, bool color = true) {
+std::vector<RgbdFrame> recorded(synthetic::SceneRecipe (*set)(), int frames, int stride, bool color = true) {
   SyntheticOptions options;
   options.set = set;
   options.frames = frames;
@@ -32,15 +32,15 @@ RgbdFrame covered(const RgbdFrame& like) {
   return frame;
 }
 
-/// How far off a pose is, in the world of `first`, the frame that the map began with.
+/// The position error in metres. The world frame is the camera frame of `first`, which started the map.
 double errorOf_m(const PoseEstimate& pose, const RgbdFrame& frame, const RgbdFrame& first) {
   const Eigen::Isometry3d truth = first.T_world_camera->inverse() * *frame.T_world_camera;
   return (pose.T_world_camera.translation() - truth.translation()).norm();
 }
 
-// Depth leaves three directions open there.
-TEST(PoseTracker, FollowsAlongABareWallByWhatIsPaintedOnIt) {
-  const std::vector<RgbdFrame> frames = filmed(synthetic::makeWallSet, 100, 3);
+// On a bare wall, depth leaves three directions free.
+TEST(PoseTracker, TracksAPaintedWall_ByColor) {
+  const std::vector<RgbdFrame> frames = recorded(synthetic::makeWallSet, 100, 3);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kCamera);
     for (const RgbdFrame& frame : frames) {
@@ -51,8 +51,8 @@ TEST(PoseTracker, FollowsAlongABareWallByWhatIsPaintedOnIt) {
   });
 }
 
-TEST(PoseTracker, ABareWallWithoutColorIsNotGuessedAt) {
-  const std::vector<RgbdFrame> frames = filmed(synthetic::makeWallSet, 60, 4, false);
+TEST(PoseTracker, GivesNoWrongPose_OnAWallWithoutColor) {
+  const std::vector<RgbdFrame> frames = recorded(synthetic::makeWallSet, 60, 4, false);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kCamera);
     for (const RgbdFrame& frame : frames) {
@@ -63,9 +63,9 @@ TEST(PoseTracker, ABareWallWithoutColorIsNotGuessedAt) {
   });
 }
 
-// 20 frames of a hand's pace are too much for a guess from the motion so far.
-TEST(PoseTracker, FollowsWideSteps) {
-  const std::vector<RgbdFrame> frames = filmed(synthetic::makeTabletopSet, 300, 20);
+// Motion prediction fails over 20 frames of hand motion.
+TEST(PoseTracker, TracksWideSteps) {
+  const std::vector<RgbdFrame> frames = recorded(synthetic::makeTabletopSet, 300, 20);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kCamera);
     for (const RgbdFrame& frame : frames) {
@@ -76,9 +76,9 @@ TEST(PoseTracker, FollowsWideSteps) {
   });
 }
 
-TEST(PoseTracker, FindsTheCameraAgainWhereverItHasBeen) {
+TEST(PoseTracker, Relocalizes_AtVisitedPoses) {
   for (const bool color : {true, false}) {
-    const std::vector<RgbdFrame> frames = filmed(synthetic::makeTabletopSet, 180, 9, color);
+    const std::vector<RgbdFrame> frames = recorded(synthetic::makeTabletopSet, 180, 9, color);
     onEachDevice([&](ComputeContext& compute) {
       SCOPED_TRACE(color ? "with colour" : "without colour");
       TrackingRig rig(compute, kCamera);
@@ -96,7 +96,7 @@ TEST(PoseTracker, FindsTheCameraAgainWhereverItHasBeen) {
   }
 }
 
-/// A corner of a room through a keyhole.
+/// A frame of a room corner of which only the rectangle `keyhole` has depth.
 RgbdFrame through(const cv::Rect& keyhole, int index) {
   AnalyticScene scene = roomCorner();
   scene.sphere({0.8, -0.4, 1.9}, 0.25).sphere({0.7, 0.1, 1.5}, 0.2).sphere({-0.6, 0.4, 1.7}, 0.2);
@@ -107,15 +107,15 @@ RgbdFrame through(const cv::Rect& keyhole, int index) {
   frame.depth = seen;
   return frame;
 }
-const cv::Rect kFirstLook(0, 0, 330, 480);
-// A twentieth of the image meets what the first look has shown: too little to be sure.
-const cv::Rect kGlimpse(295, 0, 345, 480);
+const cv::Rect kFirstView(0, 0, 330, 480);
+// This view overlaps the first in a twentieth of the image, too little for a certain pose.
+const cv::Rect kUncertainView(295, 0, 345, 480);
 
-TEST(PoseTracker, WhatWasUncertainIsConfirmedByLaterFrames) {
+TEST(PoseTracker, ConfirmsAnUncertainPose_ByLaterFrames) {
   onEachDevice([](ComputeContext& compute) {
     TrackingRig rig(compute, kKinect);
-    ASSERT_TRUE(rig.show(through(kFirstLook, 0)).usable());
-    ASSERT_EQ(rig.show(through(kGlimpse, 1)).state, TrackingState::uncertain);
+    ASSERT_TRUE(rig.show(through(kFirstView, 0)).usable());
+    ASSERT_EQ(rig.show(through(kUncertainView, 1)).state, TrackingState::uncertain);
     EXPECT_TRUE(rig.understoodLate().empty());
     ASSERT_TRUE(rig.show(through({0, 0, 640, 480}, 2)).usable());
     const std::vector<std::pair<int, PoseEstimate>> late = rig.understoodLate();
@@ -123,28 +123,28 @@ TEST(PoseTracker, WhatWasUncertainIsConfirmedByLaterFrames) {
     EXPECT_EQ(late.front().first, 1);
     const Eigen::Isometry3d truth = pose(0.2, 0, 0, 0.002, 0, 0);
     EXPECT_LT((late.front().second.T_world_camera.translation() - truth.translation()).norm(), 0.002);
-    EXPECT_TRUE(rig.understoodLate().empty()) << "once";
+    EXPECT_TRUE(rig.understoodLate().empty()) << "reported once";
   });
 }
 
-TEST(PoseTracker, WhatIsNeverConfirmedIsDropped) {
+TEST(PoseTracker, DropsAnUncertainPose_WhenNeverConfirmed) {
   onEachDevice([](ComputeContext& compute) {
     TrackingRig rig(compute, kKinect);
-    ASSERT_TRUE(rig.show(through(kFirstLook, 0)).usable());
-    ASSERT_EQ(rig.show(through(kGlimpse, 1)).state, TrackingState::uncertain);
+    ASSERT_TRUE(rig.show(through(kFirstView, 0)).usable());
+    ASSERT_EQ(rig.show(through(kUncertainView, 1)).state, TrackingState::uncertain);
     for (int i = 0; i < 12; ++i) {
-      ASSERT_TRUE(rig.show(through(kFirstLook, 0)).usable()) << i;
-      EXPECT_TRUE(rig.understoodLate().empty()) << "nothing more was learnt about the glimpse";
+      ASSERT_TRUE(rig.show(through(kFirstView, 0)).usable()) << i;
+      EXPECT_TRUE(rig.understoodLate().empty()) << "no later frame confirms the uncertain view";
     }
     ASSERT_TRUE(rig.show(through({0, 0, 640, 480}, 2)).usable());
-    EXPECT_TRUE(rig.understoodLate().empty()) << "it is forgotten by now";
+    EXPECT_TRUE(rig.understoodLate().empty()) << "the uncertain view was dropped";
   });
 }
 
-TEST(PoseTracker, AnotherPlaceIsNotTakenForThisOne) {
+TEST(PoseTracker, FindsNoPose_InAnotherScene) {
   for (const bool color : {true, false}) {
-    const std::vector<RgbdFrame> here = filmed(synthetic::makeTabletopSet, 120, 6, color);
-    const std::vector<RgbdFrame> elsewhere = filmed(synthetic::makeRoomSet, 400, 40, color);
+    const std::vector<RgbdFrame> here = recorded(synthetic::makeTabletopSet, 120, 6, color);
+    const std::vector<RgbdFrame> elsewhere = recorded(synthetic::makeRoomSet, 400, 40, color);
     onEachDevice([&](ComputeContext& compute) {
       TrackingRig rig(compute, kCamera);
       for (const RgbdFrame& frame : here) ASSERT_TRUE(rig.show(frame).usable()) << frame.index;

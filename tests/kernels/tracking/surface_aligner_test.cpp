@@ -35,7 +35,7 @@ struct Rig {
     return judgePose(aligner->align(frame, model, guesses), model.T_world_camera, PoseOrigin::prediction,
                      depth_noise_m);
   }
-  /// After a failure: from several turns of the camera.
+  /// After a tracking failure: starts from several rotations of the camera.
   [[nodiscard]] PoseEstimate search(const DepthPyramid& frame, const SurfaceMaps& model) const {
     return judgePose(aligner->alignTurned(frame, model), model.T_world_camera, PoseOrigin::search,
                      depth_noise_m);
@@ -81,13 +81,13 @@ TEST(IcpPass, SumsMatchTheFormula) {
            static_cast<double>(gates.noise_per_z2), static_cast<double>(gates.fit_huber_m),
            static_cast<double>(gates.fit_noise_per_z2)});
       EXPECT_EQ(system.readings, expected.readings);
-      // Pixels whose projection or gate lies on the border within float rounding may fall to either side.
+      // Float rounding may decide otherwise for pixels at the border of the image or of a gate.
       EXPECT_NEAR(system.overlap, expected.overlap, 1 + level.K.pixels() / 5000);
       EXPECT_NEAR(system.before, expected.before, 1 + level.K.pixels() / 5000);
       EXPECT_NEAR(system.behind, expected.behind, 1 + level.K.pixels() / 5000);
       EXPECT_NEAR(system.inliers, expected.inliers, 1 + level.K.pixels() / 2000);
       EXPECT_GT(system.inliers, level.K.pixels() / 2);
-      // They, and sums of 600 floats of 24 bits, leave this much of the whole.
+      // Those pixels, and sums of 600 floats of 24 bits, allow this relative error.
       EXPECT_LT((system.JtJ - expected.JtJ).norm() / expected.JtJ.norm(), 2e-3);
       EXPECT_LT((system.Jtr - expected.Jtr).norm() / expected.Jtr.norm(), 2e-2);
       EXPECT_NEAR(system.fit_residual_m, std::sqrt(expected.fit_error / expected.fit_weight), 1e-5);
@@ -96,7 +96,7 @@ TEST(IcpPass, SumsMatchTheFormula) {
   });
 }
 
-TEST(IcpPass, TellsWhatCameFromWhatIsSeenThrough) {
+TEST(IcpPass, CountsSurfaceBeforeAndBehindTheModel) {
   onEachWidth([](ComputeContext& compute) {
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     const AnalyticScene known = roomCorner();
@@ -120,13 +120,13 @@ TEST(IcpPass, TellsWhatCameFromWhatIsSeenThrough) {
   });
 }
 
-// A noisier camera leaves larger residuals: they are no reason to distrust it when its noise is known.
-TEST(IcpPass, ResidualsAreCountedInTheNoiseOfTheCamera) {
+// Larger residuals are acceptable if they match the known noise of the camera.
+TEST(IcpPass, ScalesResiduals_ByTheNoiseOfTheCamera) {
   onEachWidth([](ComputeContext& compute) {
     const SurfaceMaps model = mapsOf(compute, roomCorner(), kWorking, Eigen::Isometry3d::Identity());
     auto pass = IcpPass::create(compute);
     ASSERT_TRUE(pass) << pass.error().message();
-    /// The residual of readings with so much noise, counted in the noise that is expected.
+    /// The residual of readings with `noise_m` of noise, divided by the expected noise.
     const auto residual = [&](float noise_m, float expected_noise_m) {
       std::mt19937 random(2);
       std::normal_distribution<float> noise(0.0F, noise_m);
@@ -172,7 +172,7 @@ TEST(SurfaceAligner, RecoversKnownMotions) {
   });
 }
 
-TEST(SurfaceAligner, SameInputSamePose) {
+TEST(SurfaceAligner, IsDeterministic) {
   onEachWidth([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
@@ -186,7 +186,7 @@ TEST(SurfaceAligner, SameInputSamePose) {
   });
 }
 
-TEST(SurfaceAligner, PoseDoesNotSlideInAPlane) {
+TEST(SurfaceAligner, DoesNotSlide_AlongAPlane) {
   onEachDevice([](ComputeContext& compute) {
     AnalyticScene scene;
     const Eigen::Vector3d normal = Eigen::Vector3d(0.3, 0.2, -1).normalized();
@@ -206,19 +206,19 @@ TEST(SurfaceAligner, PoseDoesNotSlideInAPlane) {
   });
 }
 
-TEST(SurfaceAligner, NoiseOnAPlaneDeterminesNothing) {
+TEST(SurfaceAligner, LeavesThreeDirectionsFree_OnANoisyPlane) {
   onEachDevice([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 1.5}, {0.1, 0.5, -1});
     Rig rig(compute);
     SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
     std::mt19937 random(1);
-    std::normal_distribution<float> lean(0.0F, 0.035F);  // 2 degrees
+    std::normal_distribution<float> tilt(0.0F, 0.035F);  // 2 degrees
     std::vector<cl_float4> normals = model.normals_world.read(compute.queue());
     for (cl_float4& n : normals) {
-      Eigen::Vector3f leaning(n.s[0] + lean(random), n.s[1] + lean(random), n.s[2] + lean(random));
-      leaning.normalize();
-      n = {{leaning.x(), leaning.y(), leaning.z(), 1}};
+      Eigen::Vector3f tilted(n.s[0] + tilt(random), n.s[1] + tilt(random), n.s[2] + tilt(random));
+      tilted.normalize();
+      n = {{tilted.x(), tilted.y(), tilted.z(), 1}};
     }
     model.normals_world.write(compute.queue(), normals);
     RgbdFrame frame = frameOf(scene, kKinect, Eigen::Isometry3d::Identity());
@@ -235,7 +235,7 @@ TEST(SurfaceAligner, NoiseOnAPlaneDeterminesNothing) {
   });
 }
 
-TEST(SurfaceAligner, CylinderLeavesTwoDirectionsFree) {
+TEST(SurfaceAligner, LeavesTwoDirectionsFree_OnACylinder) {
   onEachDevice([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.cylinder({0, 0, 1.2}, {0, 1, 0}, 1.0);
@@ -249,7 +249,7 @@ TEST(SurfaceAligner, CylinderLeavesTwoDirectionsFree) {
   });
 }
 
-TEST(SurfaceAligner, NothingToTrackIsLost) {
+TEST(SurfaceAligner, IsLost_WithoutReadingsOrModel) {
   onEachDevice([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
@@ -261,12 +261,12 @@ TEST(SurfaceAligner, NothingToTrackIsLost) {
 
     const DepthPyramid& frame =
         rig.preprocessor->process(frameOf(scene, kKinect, Eigen::Isometry3d::Identity()));
-    const SurfaceMaps void_space = mapsOf(compute, AnalyticScene(), kWorking, Eigen::Isometry3d::Identity());
-    EXPECT_EQ(rig.track(frame, void_space, prediction).state, TrackingState::lost);
+    const SurfaceMaps empty_model = mapsOf(compute, AnalyticScene(), kWorking, Eigen::Isometry3d::Identity());
+    EXPECT_EQ(rig.track(frame, empty_model, prediction).state, TrackingState::lost);
   });
 }
 
-TEST(SurfaceAligner, AnotherSceneIsNeverTracked) {
+TEST(SurfaceAligner, FindsNoPose_InAnotherScene) {
   onEachDevice([](ComputeContext& compute) {
     AnalyticScene other;
     other.sphere({0.2, 0.1, 2.2}, 0.9)
@@ -286,7 +286,7 @@ TEST(SurfaceAligner, AnotherSceneIsNeverTracked) {
   });
 }
 
-TEST(SurfaceAligner, MotionOutOfReachIsNeverWronglyTracked) {
+TEST(SurfaceAligner, GivesNoWrongPose_AfterALargeMotion) {
   onEachDevice([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);

@@ -11,8 +11,8 @@ namespace scantrove::test {
 
 inline const Intrinsics kKinect{585, 585, 320, 240, 640, 480};
 
-/// What a camera at `T_world_camera` delivers of `scene`: depth in units of 0.2 mm (TUM's scale; fine enough
-/// not to matter).
+/// The frame of a camera at `T_world_camera`. Depth is in units of 0.2 mm (TUM's scale), so that rounding is
+/// negligible.
 inline RgbdFrame frameOf(const AnalyticScene& scene, const Intrinsics& K,
                          const Eigen::Isometry3d& T_world_camera) {
   RgbdFrame frame;
@@ -27,7 +27,7 @@ inline RgbdFrame frameOf(const AnalyticScene& scene, const Intrinsics& K,
   return frame;
 }
 
-/// V_t and N_t of `scene`, exact.
+/// The exact vertex and normal maps V_t and N_t of `scene`.
 inline SurfaceMaps mapsOf(ComputeContext& compute, const AnalyticScene& scene, const Intrinsics& K,
                           const Eigen::Isometry3d& T_world_camera) {
   const auto element = [](const Eigen::Vector3d& p) -> cl_float4 {
@@ -51,7 +51,7 @@ inline SurfaceMaps mapsOf(ComputeContext& compute, const AnalyticScene& scene, c
   return maps;
 }
 
-/// A corner of a room with two balls: every direction of motion is determined.
+/// A corner of a room with two balls, which determines all directions of motion.
 inline AnalyticScene roomCorner() {
   AnalyticScene scene;
   scene.plane({0, 0, 2.5}, {0.3, 0, -1}).plane({-1.2, 0, 0}, {1, 0, 0}).plane({0, 0.9, 0}, {0, -1, 0.1});

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "tests/reference/fragment_specks_reference.h"
+#include "tests/reference/small_pieces_reference.h"
 
 namespace scantrove {
 namespace {

@@ -7,7 +7,7 @@
 
 namespace scantrove::reference {
 
-/// By its definition, a flood fill for each piece.
+/// The definition: a flood fill for each piece.
 [[nodiscard]] inline std::vector<FragmentId> withoutSmallPieces(std::span<const FragmentId> image, int width,
                                                                 int least_px) {
   const int pixels = static_cast<int>(image.size());
