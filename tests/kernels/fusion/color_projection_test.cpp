@@ -11,7 +11,7 @@ const Intrinsics kDepth{300, 300, 160, 120, 320, 240};
 constexpr auto kPixels = std::size_t{320} * 240;
 
 /// 25 mm to the right of the depth camera.
-ColorCamera offsetColorCamera() {
+ColorCamera cameraToTheRight() {
   ColorCamera camera{{1050, 1040, 640, 512, 1280, 1024}};
   camera.T_color_depth.translation().x() = -0.025;
   return camera;
@@ -39,7 +39,7 @@ TEST(LocateInColor, ProjectsTheSurfaceIntoTheColorCamera) {
   RenderedView view{kDepth};
   view.vertices_world.assign(kPixels, Eigen::Vector4f::Zero());
   view.vertices_world[320 * 90 + 200] = {0.1F, -0.05F, 2, 1};
-  const SurfaceInColor seen = locateInColor(offsetColorCamera(), view);
+  const SurfaceInColor seen = locateInColor(cameraToTheRight(), view);
   const cv::Point2f pixel = pixelAt(seen, {1280, 1024}, 200, 90);
   EXPECT_NEAR(pixel.x, 1050 * (0.1 - 0.025) / 2 + 640, 1e-3);  // 679.375
   EXPECT_NEAR(pixel.y, 1040 * -0.05 / 2 + 512, 1e-3);          // 486
@@ -52,7 +52,7 @@ TEST(LocateInColor, ProjectsTheSurfaceIntoTheColorCamera) {
 }
 
 TEST(LocateInColor, AppliesRotationAndPose) {
-  ColorCamera camera = offsetColorCamera();
+  ColorCamera camera = cameraToTheRight();
   camera.T_color_depth.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   RenderedView view{kDepth};
   view.T_world_camera.translation() << 5, 6, 7;
@@ -74,7 +74,7 @@ TEST(LocateInColor, ScalesPixels_WhenColorIsRegistered) {
 }
 
 TEST(LocateInColor, HidesOccludedSurface) {
-  const SurfaceInColor seen = locateInColor(offsetColorCamera(), halfHidden());
+  const SurfaceInColor seen = locateInColor(cameraToTheRight(), halfHidden());
   // The near edge projects to (0 - 0.025) / 0.5 = -0.05. The far wall projects there at x = -0.025, so x
   // between -0.025 and 0 is hidden: 7.5 depth pixels.
   for (const int v : {20, 120, 220}) {
@@ -88,7 +88,7 @@ TEST(LocateInColor, HidesOccludedSurface) {
 }
 
 TEST(LocateInColor, HidesSurface_OutsideTheColorImage) {
-  ColorCamera camera = offsetColorCamera();
+  ColorCamera camera = cameraToTheRight();
   camera.K.cx = -100;  // its left edge at x / z = 100 / 1050
   const SurfaceInColor seen = locateInColor(camera, halfHidden());
   EXPECT_EQ(seen.hidden.at<std::uint8_t>(120, 160 + 40), 255);  // 40 / 300 - 0.05 = 0.083
