@@ -40,7 +40,8 @@ FrameTracking::Located FrameTracking::locate(const RgbdFrame& frame) {
     // The work that is awaited here started beside the previous frame.
     PoseTracker::TrackingAttempt attempt = timer_.time("track", [&] { return next_.get(); });
     const DepthPyramid& depth = preprocessor_->pyramid();
-    if (attempt.frame.index == frame.index && attempt.frame.depth.data == frame.depth.data)
+    const RgbdFrame& begun = attempt.clues.frame;
+    if (begun.index == frame.index && begun.depth.data == frame.depth.data)
       return located(depth, [&] { return tracker_->track(std::move(attempt), depth, followed_); });
   }
   const DepthPyramid& depth =
@@ -55,7 +56,7 @@ void FrameTracking::beginNext(const NextFrame& next) {
   const std::optional<RgbdFrame> frame = next();
   if (!frame) return;
   next_ = std::async(std::launch::async, [this, attempt = tracker_->beginAttempt(*frame)]() mutable {
-    tracker_->registerToModel(attempt, preprocessor_->process(attempt.frame), followed_);
+    tracker_->registerToModel(attempt, preprocessor_->process(attempt.clues.frame), followed_);
     return std::move(attempt);
   });
 }

@@ -15,6 +15,8 @@ namespace {
 constexpr double kMinDepthToBegin = 0.05;
 /// An uncertain pose with so many inliers is worth a start for the next frame.
 constexpr double kWorthFollowing = 0.4;
+/// Level of the pyramid that is stored of a seen surface.
+constexpr std::size_t kStoredLevel = 1;
 /// Uncertain frames that are kept, the newest; so many of them are looked at again with each usable frame,
 /// each so often.
 constexpr std::size_t kMaxUncertain = 10;
@@ -43,8 +45,8 @@ PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& dept
 }
 
 PoseTracker::TrackingAttempt PoseTracker::beginAttempt(const RgbdFrame& frame) {
-  TrackingAttempt attempt{.frame = frame, .by_surface = {}, .clues = {}};
-  if (last_ && !was_firm_) beginView(attempt);
+  TrackingAttempt attempt{.clues = {.frame = frame}};
+  if (last_ && !was_firm_) locator_.beginView(attempt.clues);
   return attempt;
 }
 
@@ -57,36 +59,30 @@ void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& 
   attempt.is_firm = outcome.step.is_firm;
   if (attempt.by_surface.state == TrackingState::lost) attempt.by_surface.T_world_camera = guesses.front();
   const bool is_enough = attempt.by_surface.usable() && attempt.is_firm;
-  Clues& clues = attempt.clues;
+  LandmarkLocator::Clues& clues = attempt.clues;
   if (is_enough || is_lost_ || is_restored_ || !clues.gray) return;
-  clues.coming_corners =
-      beginCorners(*clues.last_gray, *clues.gray, model, attempt.by_surface.T_world_camera);
-  Search search{attempt.frame, depth, model, clues};
-  seekLandmarks(search, attempt.by_surface);
+  locator_.beginCorners(clues, model, attempt.by_surface.T_world_camera);
+  Search search{attempt, depth, model};
+  seekLandmarks(search);
   if (clues.landmarks && isInView(model, clues.landmarks->T_world_camera))
-    clues.verified = verify(search, clues.landmarks->T_world_camera, &clues.landmarks->seen);
+    attempt.by_landmarks = verify(search, clues.landmarks->T_world_camera, &clues.landmarks->seen);
 }
 
 PoseEstimate PoseTracker::track(TrackingAttempt attempt, const DepthPyramid& depth,
                                 const SurfaceMaps& model) {
-  K_depth_ = depth.K;
+  locator_.beginFrame(depth.K);
   PoseEstimate pose;
-  tracked_gray_.reset();
-  tracked_view_.reset();
   if (!last_) {
     pose = begin(depth);
   } else {
-    Clues& clues = attempt.clues;
-    Search search{attempt.frame, depth, model, clues};
     pose = attempt.by_surface;
-    if (!pose.usable() || !attempt.is_firm) pose = recover(search, pose);
+    Search search{attempt, depth, model};
+    if (!pose.usable() || !attempt.is_firm) pose = recover(search);
     if (pose.usable()) pose = withoutDrift(depth, pose);
     was_firm_ = attempt.is_firm;
-    if (clues.coming_view.valid()) clues.view = clues.coming_view.get();
-    tracked_gray_ = std::move(clues.gray);
-    tracked_view_ = std::move(clues.view);
+    locator_.endFrame(attempt.clues);
   }
-  remember(attempt.frame, pose);
+  remember(attempt.clues.frame, pose);
   return pose;
 }
 
@@ -115,19 +111,20 @@ PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry
   return judgePose(outcome, begin, origin, static_cast<double>(params_.depth_noise_m));
 }
 
-PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
-  awaitLandmarks();
-  Clues& clues = search.clues;
+PoseEstimate PoseTracker::recover(Search& search) {
+  locator_.awaitLandmarks();
+  LandmarkLocator::Clues& clues = search.attempt.clues;
+  const PoseEstimate& by_surface = search.attempt.by_surface;
   if (!is_lost_ && !clues.corners && !clues.coming_corners.valid())
-    clues.coming_corners = beginCorners(lastGray(), grayOf(search), search.model, by_surface.T_world_camera);
-  const auto by_landmarks = followLandmarks(search, by_surface);
+    locator_.beginCorners(clues, search.model, by_surface.T_world_camera);
+  const auto by_landmarks = followLandmarks(search);
   if (by_landmarks && !(is_restored_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
     PoseEstimate found = *by_landmarks;
     if (is_lost_) found.state = TrackingState::relocalized;
     return found;
   }
   if (!is_lost_) {
-    if (const auto found = followFlow(search, by_surface.T_world_camera)) return *found;
+    if (const auto found = followFlow(search)) return *found;
   }
   if (by_surface.usable()) return by_surface;
   if (by_surface.free_directions == 0) {
@@ -140,6 +137,44 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
     if (const auto found = relocalize(search)) return *found;
   }
   return by_surface;
+}
+
+void PoseTracker::seekLandmarks(Search& search) {
+  const PoseEstimate& by_surface = search.attempt.by_surface;
+  const auto about = by_surface.usable() ? std::optional(by_surface.T_world_camera) : std::nullopt;
+  locator_.seekLandmarks(search.attempt.clues, search.model, about, *last_, is_lost_);
+}
+
+std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search) {
+  const LandmarkLocator::Clues& clues = search.attempt.clues;
+  if (!clues.are_landmarks_sought) seekLandmarks(search);
+  if (!clues.landmarks) return std::nullopt;
+  std::optional<PoseEstimate>& pose = search.attempt.by_landmarks;
+  if (!pose) pose = verify(search, clues.landmarks->T_world_camera, &clues.landmarks->seen);
+  return pose->usable() ? pose : std::nullopt;
+}
+
+std::optional<PoseEstimate> PoseTracker::followFlow(Search& search) {
+  const SeenLandmarks* corners = LandmarkLocator::enoughCorners(search.attempt.clues);
+  if (corners == nullptr) return std::nullopt;
+  const Eigen::Isometry3d& guess = search.attempt.by_surface.T_world_camera;
+  const PoseEstimate pose = judge(aligner_->align(search.depth, search.model, std::span(&guess, 1), corners),
+                                  guess, PoseOrigin::landmarks);
+  return pose.usable() ? std::optional(pose) : std::nullopt;
+}
+
+std::optional<PoseEstimate> PoseTracker::relocalize(Search& search) {
+  LandmarkLocator::Clues& clues = search.attempt.clues;
+  for (const KeyFrame* place : locator_.similarKeyFrames(clues)) {
+    const std::optional<LandmarkPose> found = locator_.locateAt(clues, *place);
+    if (!found) continue;
+    PoseEstimate pose =
+        verify(search, found->T_world_camera, found->seen.pixels.empty() ? nullptr : &found->seen);
+    if (!pose.usable()) continue;
+    pose.state = TrackingState::relocalized;
+    return pose;
+  }
+  return std::nullopt;
 }
 
 bool PoseTracker::isInView(const SurfaceMaps& model, const Eigen::Isometry3d& guess) const {
@@ -201,10 +236,32 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
   return pose;
 }
 
+bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
+  locator_.setLastFrame(frame, depth.K);
+  const Eigen::Isometry3d& T_world_camera = model.T_world_camera;
+  const bool is_new_key_frame = passBy(T_world_camera);
+  if (seen_.isDue(T_world_camera)) {
+    const DepthPyramid::Level& level = depth.levels[std::min(kStoredLevel, depth.levels.size() - 1)];
+    seen_.add(T_world_camera, StoredSurface(level.K, level.vertices_camera.read(compute_.queue())));
+  }
+  const auto mayCloseLoop = [&] {
+    return seen_.nearestSeenAgain(T_world_camera) != nullptr &&
+           locator_.isAtUncheckedKeyFrame(T_world_camera);
+  };
+  if (!is_new_key_frame && !mayCloseLoop()) return false;
+  return locator_.addKeyFrame(model, is_new_key_frame);
+}
+
+bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
+  const KeyFrames& key_frames = locator_.keyFrames();
+  seen_.markLeftExceptNear(T_world_camera);
+  return key_frames.isDue(T_world_camera);
+}
+
 std::optional<PoseTracker::Memory> PoseTracker::memory() {
-  finishAdding();
+  const KeyFrames& key_frames = locator_.keyFrames();
   if (!last_) return std::nullopt;
-  return Memory{*last_, before_last_, is_lost_, lastGray(), key_frames_.all(), seen_.all()};
+  return Memory{*last_, before_last_, is_lost_, locator_.lastGray(), key_frames.all(), seen_.all()};
 }
 
 void PoseTracker::restoreState(Memory memory) {
@@ -212,28 +269,16 @@ void PoseTracker::restoreState(Memory memory) {
   before_last_ = memory.before_last;
   is_lost_ = memory.is_lost;
   is_restored_ = true;
-  last_gray_ = std::move(memory.last_view);
-  key_frames_ = KeyFrames(std::move(memory.places));
-  asked_ = nullptr;
+  locator_.restoreState(std::move(memory.last_view), std::move(memory.places));
   seen_ = SeenSurfaces(std::move(memory.surfaces));
   seen_again_ = nullptr;
 }
 
 void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
-  finishAdding();
+  // The last usable frame was seen from elsewhere, so it does not show the surface in view there.
+  locator_.forgetLastFrame();
   last_ = T_world_camera;
   is_lost_ = true;
-  // The place that was learnt last was seen from elsewhere: it says nothing about the surface in view there.
-  last_frame_ = {};
-  last_gray_.reset();
-  last_view_.reset();
-  last_landmarks_.reset();
-}
-
-bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
-  finishAdding();
-  seen_.markLeftExceptNear(T_world_camera);
-  return key_frames_.isDue(T_world_camera);
 }
 
 }  // namespace scantrove

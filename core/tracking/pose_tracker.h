@@ -1,7 +1,6 @@
 #pragma once
 #include <deque>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,10 +12,8 @@
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/fusion_params.h"
 #include "core/fusion/surface_maps.h"
-#include "core/tracking/color_view.h"
-#include "core/tracking/followed_corners.h"
 #include "core/tracking/key_frames.h"
-#include "core/tracking/landmark_pose.h"
+#include "core/tracking/landmark_locator.h"
 #include "core/tracking/pose_estimate.h"
 #include "core/tracking/revisited_key_frame.h"
 #include "core/tracking/seen_surfaces.h"
@@ -25,11 +22,10 @@
 namespace scantrove {
 
 /// Tracks the pose of the camera. Predicts each pose from the last motion, registers it by ICP against the
-/// map's surface, and judges the result. An untrusted pose is recovered from landmarks of the last frame and
-/// of the tracking key frames, so that a lost camera is found at any place that it has seen. One thread, the
-/// context's; may throw cl::Error. Other threads extract the features of a new key frame and detect loop
-/// closures until addKeyFrame() is called again. It is one class of more than 30 functions because all steps
-/// share the state of the last frame.
+/// map's surface, and judges the result. An untrusted pose is recovered by landmarks of the last frame and of
+/// the tracking key frames (LandmarkLocator), so that a lost camera is found at any place that it has seen.
+/// One thread, the context's; may throw cl::Error. Other threads extract the features of a new key frame and
+/// detect loop closures until addKeyFrame() is called again.
 class PoseTracker {
  public:
   /// Renders the map's surface from a pose.
@@ -39,24 +35,13 @@ class PoseTracker {
                                                                    const FusionParams& params,
                                                                    ModelView view_model);
 
-  /// Features of a frame's colour image that were computed so far, and those that other threads compute.
-  struct Clues {
-    std::optional<GrayView> gray = {}, last_gray = {};
-    std::optional<ColorView> view = {};
-    std::optional<SeenLandmarks> corners = {};  ///< corners of the last image, found in this one
-    std::future<ColorView> coming_view = {};
-    std::future<SeenLandmarks> coming_corners = {};
-    bool are_landmarks_sought = false;
-    std::optional<LandmarkPose> landmarks = {};  ///< pose by landmarks; none: they do not determine one
-    std::optional<PoseEstimate> verified = {};   ///< that pose, registered against the map
-  };
   /// The first part of tracking a frame: its pose by the surface alone and, where landmarks are likely to be
   /// needed, by landmarks.
   struct TrackingAttempt {
-    RgbdFrame frame;
-    PoseEstimate by_surface;
-    bool is_firm = false;  ///< the surface determines the pose well
-    Clues clues;
+    LandmarkLocator::Clues clues;
+    PoseEstimate by_surface = {};
+    bool is_firm = false;                           ///< the surface determines the pose well
+    std::optional<PoseEstimate> by_landmarks = {};  ///< pose by landmarks, registered against the map
   };
   /// Begins with the frame after the last one of track() and addKeyFrame().
   [[nodiscard]] TrackingAttempt beginAttempt(const RgbdFrame& frame);
@@ -75,9 +60,7 @@ class PoseTracker {
   bool addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
 
   /// The key frame that the camera revisited since the last call, detected by an earlier addKeyFrame().
-  [[nodiscard]] std::optional<RevisitedKeyFrame> takeReturned() {
-    return std::exchange(returned_, std::nullopt);
-  }
+  [[nodiscard]] std::optional<RevisitedKeyFrame> takeReturned() { return locator_.takeReturned(); }
 
   /// The state that the next frame needs beside the map.
   struct Memory {
@@ -116,32 +99,23 @@ class PoseTracker {
  private:
   /// A frame and what is known of its pose so far.
   struct Search {
-    const RgbdFrame& frame;
+    TrackingAttempt& attempt;
     const DepthPyramid& depth;
     const SurfaceMaps& model;
-    Clues& clues;
   };
 
   PoseTracker(ComputeContext& compute, const FusionParams& params, ModelView view_model)
-      : compute_(compute), params_(params), view_model_(std::move(view_model)) {}
+      : compute_(compute), params_(params), view_model_(std::move(view_model)), locator_(compute) {}
 
   [[nodiscard]] PoseEstimate begin(const DepthPyramid& depth) const;
   /// Predicted poses, best first.
   [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
-  [[nodiscard]] PoseEstimate recover(Search& search, const PoseEstimate& by_surface);
-  /// Extracts the features that recover() will need.
-  void beginView(TrackingAttempt& attempt);
-  /// Starts what cornersOf() will need. Invalid: there is no colour.
-  [[nodiscard]] std::future<SeenLandmarks> beginCorners(const GrayView& last, const GrayView& now,
-                                                        const SurfaceMaps& model,
-                                                        const Eigen::Isometry3d& guess) const;
-  /// Pose by these corners alone, from a guess nearby.
-  [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search, const Eigen::Isometry3d& guess);
+  [[nodiscard]] PoseEstimate recover(Search& search);
+  void seekLandmarks(Search& search);
+  /// Pose by the corners of the last image alone, from the pose by the surface.
+  [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search);
   /// Pose by features of the nearest key frame or the last image.
-  [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search, const PoseEstimate& by_surface);
-  /// Stores the pose by landmarks in the clues.
-  void seekLandmarks(Search& search, const PoseEstimate& by_surface);
-  [[nodiscard]] std::optional<LandmarkPose> locateByLandmarks(Search& search, const PoseEstimate& by_surface);
+  [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search);
   [[nodiscard]] std::optional<PoseEstimate> relocalize(Search& search);
   /// `guess` sees the surface of `model`.
   [[nodiscard]] bool isInView(const SurfaceMaps& model, const Eigen::Isometry3d& guess) const;
@@ -154,26 +128,11 @@ class PoseTracker {
 
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                    PoseOrigin origin) const;
-  [[nodiscard]] const GrayView& lastGray();
-  /// Whether the camera is back at a key frame that was not checked yet.
-  [[nodiscard]] bool isAtUncheckedKeyFrame(const Eigen::Isometry3d& T_world_camera);
-  /// Waits for all that addKeyFrame() started on other threads.
-  void finishAdding();
-  /// Waits for the landmarks that the next frame may need.
-  void awaitLandmarks();
-  /// Landmarks of the key frame that sees most of what the last usable frame saw; null: none is near.
-  [[nodiscard]] const Landmarks* nearestLandmarks() const;
-  [[nodiscard]] static const GrayView& grayOf(Search& search);
-  [[nodiscard]] const ColorView& viewOf(Search& search);
-  [[nodiscard]] static const SeenLandmarks& cornersOf(Search& search);
-  [[nodiscard]] const ColorView& lastView();
-  [[nodiscard]] const Landmarks& lastLandmarks(const SurfaceMaps& model);
 
   ComputeContext& compute_;
   FusionParams params_;
   ModelView view_model_;
   std::unique_ptr<SurfaceAligner> aligner_;
-  FeatureFinder finder_;
   SurfaceMaps verified_;  // the map from a verified pose
 
   std::optional<Eigen::Isometry3d> last_;         // pose of the last usable frame
@@ -184,28 +143,11 @@ class PoseTracker {
   bool was_firm_ = true;      // the surface determined its pose well
   bool is_restored_ = false;  // the next frame is the first after restoreState()
 
-  RgbdFrame last_frame_;                     // the last usable one
-  Intrinsics K_depth_;                       // of its depth images
-  std::optional<GrayView> last_gray_;        // its image, once asked for
-  std::optional<ColorView> last_view_;       // likewise
-  std::optional<Landmarks> last_landmarks_;  // likewise
-  std::optional<GrayView> tracked_gray_;     // of the frame that track() saw last, if it was asked for
-  std::optional<ColorView> tracked_view_;    // likewise
-  KeyFrames key_frames_;
   SeenSurfaces seen_;
   const SeenSurfaces::View* seen_again_ = nullptr;  // the one that seen_surface_ holds
   SurfaceMaps seen_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
-  const KeyFrame* asked_ = nullptr;       // the last key frame that was checked for a loop closure
-  std::optional<RevisitedKeyFrame> returned_;
-  struct AddedKeyFrame {
-    std::optional<KeyFrame> key_frame;  // none: it was not due
-    std::optional<RevisitedKeyFrame> returned;
-  };
-  bool adds_key_frame_ = false;  // whether the last usable frame is one
-  std::shared_future<void>
-      coming_landmarks_;               // last_view_ and last_landmarks_; uses what is above: goes first
-  std::future<AddedKeyFrame> adding_;  // likewise
+  LandmarkLocator locator_;
 };
 
 }  // namespace scantrove
