@@ -10,16 +10,16 @@
 namespace scantrove {
 namespace {
 
-constexpr int kWidest_px = 640;     // images are made smaller than this before features are looked for
+constexpr int kWidest_px = 640;     // wider images are reduced before feature extraction
 constexpr int kMaxFeatures = 1000;  // the strongest; bounds the cost of matching
 constexpr int kMinContrast = 8;     // grey levels, of a corner
-// ORB as its authors have it, and OpenCV by default: eight scales 1.2 apart, patches of 31 pixels, two points
-// for each bit.
+// Defaults of ORB's authors and of OpenCV.
 constexpr float kScaleFactor = 1.2F;
 constexpr int kScales = 8, kPatch_px = 31, kPointsPerBit = 2;
-// Surface is looked up in cells of so many pixels: as fine as the working resolution.
+// Cell size for looking up the surface; as fine as the working resolution.
 constexpr int kCell_px = 2;
-// A feature whose surroundings differ in depth by more sits on an outline: what is seen there is not known.
+// A feature is on an outline, and its surface unknown, if its surroundings differ in depth by more than this
+// part.
 constexpr float kOutlineStep = 0.04F;
 
 Eigen::Vector3f toPoint(const cl_float4& v) { return {v.s[0], v.s[1], v.s[2]}; }

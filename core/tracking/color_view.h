@@ -12,7 +12,7 @@
 
 namespace scantrove {
 
-/// A frame's colour image as grey, at most 640 pixels wide, and the camera that took it.
+/// A frame's colour image in grey, at most 640 pixels wide, with its camera.
 struct GrayView {
   cv::Mat image;  ///< CV_8UC1; empty: the frame has no colour
   Intrinsics K;
@@ -22,13 +22,13 @@ struct GrayView {
 /// `K_depth`: of the frame's depth images.
 [[nodiscard]] GrayView grayViewOf(const RgbdFrame& frame, const Intrinsics& K_depth);
 
-/// The map's surface by pixel of a colour camera.
+/// The map's surface as seen by a colour camera.
 class SurfaceInView {
  public:
-  /// `vertices_world`: the surface as a depth camera sees it, in any order, w = 0: none.
+  /// `vertices_world`: the surface seen by a depth camera, in any order; w = 0: none.
   SurfaceInView(const Intrinsics& K, const Eigen::Isometry3d& T_world_color,
                 std::span<const cl_float4> vertices_world);
-  /// World; none where there is no surface, or an outline, where it is not known what is seen.
+  /// World point; none where there is no surface, and at outlines, where the surface is ambiguous.
   [[nodiscard]] std::optional<Eigen::Vector3f> at(const cv::Point2f& pixel) const;
 
  private:
@@ -39,15 +39,15 @@ class SurfaceInView {
   cv::Mat depths_;  // CV_32FC1 by cell, 0 = none
 };
 
-/// What a frame's colour image shows, as features (ORB; Rublee et al. 2011).
+/// Features of a frame's colour image (ORB; Rublee et al. 2011).
 struct ColorView {
-  Intrinsics K;  ///< of the image that the features were found in
+  Intrinsics K;  ///< of the image with the features
   Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();
   std::vector<cv::Point2f> pixels;
   cv::Mat descriptors;  ///< n x 32, CV_8UC1
 };
 
-/// Features of a view whose places on the map's surface are known.
+/// Features of a view with known points on the map's surface.
 struct Landmarks {
   std::vector<cv::Point3f> points_world;
   cv::Mat descriptors;  ///< n x 32, CV_8UC1
@@ -56,15 +56,15 @@ struct Landmarks {
 /// Finds features in colour images. One thread.
 class FeatureFinder {
  public:
-  /// No features: no colour image, or one that shows nothing.
+  /// Without features if there is no colour image or no contrast.
   [[nodiscard]] ColorView find(const GrayView& gray);
 
  private:
   cv::Ptr<cv::ORB> orb_;
 };
 
-/// `vertices_world`: the map's surface by pixel of `K`, as a depth camera at `T_world_depth` sees it, w = 0:
-/// none.
+/// The features of `view` that are on the map's surface. `vertices_world`: the surface seen by a depth camera
+/// at `T_world_depth`; w = 0: none.
 [[nodiscard]] Landmarks landmarksOf(const ColorView& view, const Eigen::Isometry3d& T_world_depth,
                                     std::span<const cl_float4> vertices_world);
 

@@ -25,8 +25,8 @@ void countBitsAnywhere(const Descriptor& one, std::span<const Descriptor> others
 }
 
 #ifdef __x86_64__
-// Every processor of the last 15 years has an instruction for it, five times as fast, that programs for all
-// of them must not take for granted.
+// The instruction is five times as fast. Processors of the last 15 years have it, but builds for all x86-64
+// processors must check.
 [[gnu::target("popcnt")]] void countBitsByInstruction(const Descriptor& one,
                                                       std::span<const Descriptor> others,
                                                       std::span<int> bits) {

@@ -7,13 +7,14 @@
 
 namespace scantrove {
 
-/// The 256 bits by which a feature is known (ORB).
+/// The 256 bits that describe a feature (ORB).
 using Descriptor = std::array<std::uint64_t, 4>;
 
-/// Of rows as ColorView and Landmarks have them: CV_8UC1, 32 bytes each.
+/// Converts rows of ColorView or Landmarks: CV_8UC1, 32 bytes each.
 [[nodiscard]] std::vector<Descriptor> descriptorsOf(const cv::Mat& rows);
 
-/// How many bits of `one` differ from each of the others. `bits` has room for as many. Any thread.
+/// Counts the bits of `one` that differ from each of `others`; `bits` has at least as many elements. Any
+/// thread.
 void countDifferentBits(const Descriptor& one, std::span<const Descriptor> others, std::span<int> bits);
 
 }  // namespace scantrove

@@ -9,12 +9,12 @@
 namespace scantrove {
 namespace {
 
-constexpr int kFarthestBits = 64;  // of 256 that may differ between descriptors of one point
-/// How far, in parts of the image's width, a landmark may be seen from where the guess has it.
+constexpr int kFarthestBits = 64;  // of 256 that may differ between descriptors of the same point
+/// Largest distance between a landmark and its predicted pixel, as part of the image's width.
 constexpr float kReach = 0.08F;
 constexpr int kNobody = -1;
 
-/// The best partner that one has met; the first of equals.
+/// The most similar partner so far; the first of equals.
 struct Best {
   int partner = kNobody;
   int bits = std::numeric_limits<int>::max();
@@ -26,7 +26,7 @@ struct Best {
   }
 };
 
-/// Who looks most like whom, of those that are compared.
+/// Collects compared pairs and finds mutual best matches.
 class Matching {
  public:
   Matching(std::size_t features, std::size_t landmarks) : of_feature_(features), of_landmark_(landmarks) {}
@@ -51,7 +51,7 @@ class Matching {
   std::vector<Best> of_feature_, of_landmark_;
 };
 
-/// The features of an image by square cells as wide as the reach.
+/// The features of an image in square cells as wide as the reach.
 class FeatureGrid {
  public:
   FeatureGrid(const ColorView& view, float reach_px)
@@ -63,7 +63,7 @@ class FeatureGrid {
       cells_[cellAt(columnOf(view.pixels[i].x), rowOf(view.pixels[i].y))].push_back(i);
   }
 
-  /// Gives all features that may be in reach of `pixel`, which lies anywhere.
+  /// Calls `give` with all features that may be in reach of `pixel`, which may be outside the image.
   template <class Give>
   void around(const cv::Point2f& pixel, Give&& give) const {
     for (int row = rowOf(pixel.y - reach_px_); row <= rowOf(pixel.y + reach_px_); ++row) {

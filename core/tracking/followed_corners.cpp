@@ -11,22 +11,23 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kMaxCorners = 300;     // bounds the cost of a frame
-constexpr std::size_t kEnoughCorners = 150;  // with fewer the slower search for faint corners pays
-constexpr int kMinStep = 10;                 // grey levels, of FAST
+constexpr std::size_t kEnoughCorners = 150;  // below this the slower search for faint corners runs
+constexpr int kMinStep = 10;                 // threshold of FAST, in grey levels
 constexpr double kMinQuality = 0.01;         // of the best corner's
-constexpr int kApart_px = 12;                // spreads them over the image: half a window
-// Of the optical flow: window and halvings are OpenCV's own, by which a corner may move some dozens of
-// pixels. Its search ends after 20 steps, or when it moves by 1/50 pixel: the depths are no finer.
+constexpr int kApart_px = 12;                // least distance between corners: half a window
+// Optical flow: window and levels are OpenCV's defaults, which allow motions of some dozens of pixels. Steps
+// below 1/50 pixel are finer than the depths.
 const cv::Size kWindow(21, 21);
 constexpr int kLevels = 3, kMaxFlowSteps = 20;
 constexpr double kFlowConverged_px = 0.02;
-constexpr float kWayBack_px = 0.5F;  // a corner that does not come back to where it was is another one
+constexpr float kWayBack_px = 0.5F;  // largest error when a corner is followed forth and back
 
-/// The strongest points first, none so near to a stronger one.
+/// The strongest points first, without those near a stronger one.
 std::vector<cv::Point2f> spreadOut(std::vector<cv::KeyPoint> points, const cv::Size& size) {
   std::ranges::stable_sort(points, std::ranges::greater(), &cv::KeyPoint::response);
   const cv::Rect cells(0, 0, size.width / kApart_px + 1, size.height / kApart_px + 1);
-  cv::Mat taken(cells.size(), CV_32FC2, cv::Scalar::all(-kApart_px));  // the point in each, or one outside
+  cv::Mat taken(cells.size(), CV_32FC2,
+                cv::Scalar::all(-kApart_px));  // the point of each cell, or one outside
   std::vector<cv::Point2f> corners;
   for (const cv::KeyPoint& point : points) {
     if (corners.size() == kMaxCorners) break;
@@ -43,8 +44,8 @@ std::vector<cv::Point2f> spreadOut(std::vector<cv::KeyPoint> points, const cv::S
   return corners;
 }
 
-/// By FAST where there is contrast, in a quarter of the time; where there is little by the gradients'
-/// eigenvalues, which find the faintest.
+/// FAST takes a quarter of the time and suffices with enough contrast. Otherwise eigenvalues of the gradients
+/// find the faintest corners.
 std::vector<cv::Point2f> cornersOf(const cv::Mat& image) {
   std::vector<cv::KeyPoint> points;
   cv::FAST(image, points, kMinStep);

@@ -4,10 +4,10 @@
 
 namespace scantrove {
 
-/// Corners of one grey image found again in the next one by optical flow (Lucas and Kanade, in pyramids;
-/// OpenCV): to a fraction of a pixel, and even where there is next to no texture; for motions of a few
-/// degrees. `surface`: of the map in `last`. `T_world_color`: a guess at where `now` was taken from. Corners
-/// that are not found back again from `now` are left out. Any thread.
+/// Finds corners of one grey image in the next one by pyramidal optical flow (Lucas and Kanade; OpenCV). It
+/// is accurate to a fraction of a pixel and works with almost no texture, for motions of a few degrees.
+/// `surface`: the map's in `last`. `T_world_color`: approximate pose of the colour camera in `now`. Leaves
+/// out corners that do not return when followed back from `now`. Any thread.
 [[nodiscard]] SeenLandmarks followCorners(const GrayView& last, const SurfaceInView& surface,
                                           const GrayView& now, const Eigen::Isometry3d& T_world_color);
 

@@ -9,19 +9,18 @@
 namespace scantrove {
 namespace {
 
-// A core with vectors does long runs without a group; a GPU needs many short ones. A float sum holds at most
-// group * run terms.
+// CPU cores with vector lanes process long runs without groups; a GPU needs many short runs. A float sum has
+// at most group * run terms.
 constexpr int kLongRun_px = 640;
 constexpr int kShortRuns = 32;   // of a group
 constexpr int kShortRun_px = 8;  // of a work-item
 
-// Standard deviation of a right model's surface from the true one: half a voxel, and what is left in the
-// camera's calibration.
+// Standard deviation of a correct model's surface from the true one: half a voxel and the residual
+// calibration error of the camera.
 constexpr float kModelError_m = 0.003F;
-// What is left of a camera's noise next to it: the steps of its depth.
+// Noise of the nearest readings: the quantization of depth.
 constexpr float kDepthStep_m = 0.00075F;
-// Gates in standard deviations: pairs farther apart are of two surfaces; residuals from there on are
-// outliers.
+// Gates in standard deviations: for pairs of two different surfaces, and for outliers.
 constexpr float kOtherSurface = 20.0F / 3.0F;
 constexpr float kOutlier = 10.0F / 3.0F;
 constexpr float kOutlierOfFit = 5.0F / 3.0F;

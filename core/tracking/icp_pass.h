@@ -9,24 +9,24 @@
 
 namespace scantrove {
 
-/// Which pixels are associated in a pass, and how they weigh. Depth noise of structured light grows with z^2.
+/// Association gates and weights of a pass. Depth noise of structured light grows with z^2.
 struct IcpGates {
-  float distance_m = 0;  ///< farther pairs are not associated; plus distance_per_z2 * z^2
+  float distance_m = 0;  ///< largest distance of associated pairs; plus distance_per_z2 * z^2
   float distance_per_z2 = 0;
-  float normal_cosine = 0.86F;  ///< of the angle between normals, about 30 degrees
-  // Weights: residuals beyond huber_m * n count linearly, and all by 1 / n^2, n = 1 + noise_per_z2 * z^2.
+  float normal_cosine = 0.86F;  ///< least cosine of the angle between normals, about 30 degrees
+  // Weights: 1 / n^2 with n = 1 + noise_per_z2 * z^2; linear (Huber) for residuals beyond huber_m * n.
   float huber_m = 0;
   float noise_per_z2 = 0;
-  // The same for the residual that judges the fit; milder, so that far surfaces have their say.
+  // The same for the residual that judges the fit; milder, so that far surfaces count.
   float fit_huber_m = 0;
   float fit_noise_per_z2 = 0;
 
-  /// Those for a camera of so much noise at 1 m (FusionParams::depth_noise_m).
+  /// Gates for a camera with `depth_noise_m` of noise at 1 m (FusionParams).
   [[nodiscard]] static IcpGates of(float distance_m, float depth_noise_m);
 };
 
 /// Runs accumulate_icp: the sums of one frame level against the model at one pose. One thread, the context's;
-/// throws cl::Error on a device fault. Same input, same sums, bit for bit.
+/// throws cl::Error on a device fault. The same input gives the same sums, bit for bit.
 class IcpPass {
  public:
   [[nodiscard]] static Result<IcpPass> create(ComputeContext& compute);

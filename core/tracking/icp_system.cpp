@@ -10,13 +10,13 @@
 namespace scantrove {
 namespace {
 
-/// Landmarks are asked for where the surface determines some direction no better than this: there the pose
-/// begins to slide along with errors that all readings share (lens, calibration, voxels). On a desk seen from
-/// afar the pose began to drift at 0.012; in a kitchen, seen again at 0.016 - 0.02, it was up to 20 mm off.
+/// Smallest eigenvalue at which the surface determines the pose well; below it landmarks are used. There the
+/// pose slides with errors that all readings share (lens, calibration, voxels). On a desk seen from afar the
+/// pose began to drift at 0.012. In a kitchen seen again, at 0.016 - 0.02, it was up to 20 mm off.
 constexpr double kFirm = 0.02;
-/// What they weigh beside the surface, wherever they are given. They do not determine that direction well
-/// either (turning looks like moving), but without bias: with 0.15 the pose on that desk was 150 mm off after
-/// 20 frames, with 6 it was 20.
+/// Weight of landmarks relative to the surface. They do not determine that direction well either (rotation
+/// resembles translation), but without bias. On that desk the pose was 150 mm off after 20 frames with 0.15,
+/// and 20 mm with 6.
 constexpr double kLandmarkWeight = 6;
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& d) {
@@ -62,8 +62,7 @@ IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d
   const double count = system.inliers;
   const Eigen::Vector3d shift =
       Eigen::Vector3d(total[ICP_POINT], total[ICP_POINT + 1], total[ICP_POINT + 2]) / count;
-  // About a centre moved by d the moment becomes (p - d) x n = p x n - d x n: J' = J B with B = [I 0; [d]x
-  // I].
+  // About a centre moved by d the moment is (p - d) x n = p x n - d x n, so J' = J B, B = [I 0; [d]x I].
   Matrix6 B = Matrix6::Identity();
   B.bottomLeftCorner<3, 3>() = skew(shift);
   system.JtJ = B.transpose() * JtJ * B;
@@ -90,7 +89,7 @@ IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue, const Land
       !system.Jtr.allFinite()) {
     return step;
   }
-  IcpSystem::Vector6 scale;  // of the unknowns: metres at the distance radius_m
+  IcpSystem::Vector6 scale;  // converts unknowns to metres at the distance radius_m
   scale << IcpSystem::Vector6::Ones();
   scale.head<3>().setConstant(1.0 / system.radius_m);
   IcpSystem::Matrix6 H = scale.asDiagonal() * system.JtJ * scale.asDiagonal() / system.weight;

@@ -19,13 +19,13 @@ struct IcpSystem {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< world; the mean of the associated points
   double radius_m = 0;  ///< root mean square distance of the associated points from `centre`
   double weight = 0;    ///< trace of the translational part of JtJ = sum of the weights
-  double fit_residual_m =
-      0;  ///< root mean square residual, outliers cut, far readings weighed down by their noise
+  /// Root mean square residual, with outliers limited and far readings weighted by their noise.
+  double fit_residual_m = 0;
   double squared_error = 0;  ///< sum r^2, m^2
   int inliers = 0;           ///< pixels associated
   int overlap = 0;           ///< pixels with depth that meet a surface of the model
-  int before = 0;            ///< of these, pixels far before it: something new may have come
-  int behind = 0;            ///< pixels far behind it: nothing that is there can be seen through
+  int before = 0;            ///< of these, pixels far in front of it: something new may have appeared
+  int behind = 0;            ///< pixels far behind it: the surface would have to be transparent
   int readings = 0;          ///< pixels with depth
 
   /// Adds the groups' sums (ICP_SUMS floats each, icp_layout.h) in double and in order, and moves the
@@ -35,24 +35,23 @@ struct IcpSystem {
 
 /// The least-squares motion of an IcpSystem.
 struct IcpStep {
-  Eigen::Isometry3d motion =
-      Eigen::Isometry3d::Identity();  ///< to be applied from the left: T_new = motion * T_old
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  ///< T_new = motion * T_old
   double rotation_rad = 0;
   double translation_m = 0;  ///< of the centre
-  bool is_firm = false;      ///< the surface by itself determines all directions well
+  bool is_firm = false;      ///< the surface alone determines all directions well
   int free_directions = 0;   ///< directions left at zero because the geometry does not determine them
-  bool finite =
-      false;  ///< false: nothing was associated or the sums are not finite; `motion` is the identity
+  /// False: nothing was associated, or the sums are not finite; `motion` is the identity.
+  bool finite = false;
 
-  /// `share` (0..1) of this step, which moved `centre`.
+  /// A part of this step, `share` in 0..1. `center`: IcpSystem::center.
   [[nodiscard]] IcpStep part(double share, const Eigen::Vector3d& center) const;
 };
 
-/// Solves by eigen-decomposition of JtJ / weight with rotations measured in units of radius_m: along
-/// eigenvectors whose eigenvalue lies under `smallest_eigenvalue` (mean squared cosine between normals and
-/// direction) the solution is zero, so the pose keeps what it was predicted to be (solution remapping, Zhang,
-/// Kaess and Singh 2016). Landmarks (about the same centre; may be null) are minimised with it, and
-/// outweigh it. Never fails: see IcpStep::finite.
+/// Solves by eigen-decomposition of JtJ / weight, with rotations in units of radius_m. Along eigenvectors
+/// with an eigenvalue under `smallest_eigenvalue` (mean squared cosine between normals and direction) the
+/// solution is zero, so that the pose stays as predicted (solution remapping, Zhang, Kaess and Singh 2016).
+/// `landmarks` (about the same centre; may be null) are minimised together with the surface and outweigh it.
+/// Never fails: see IcpStep::finite.
 [[nodiscard]] IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue,
                                const LandmarkTerm* landmarks = nullptr);
 

@@ -9,21 +9,20 @@
 namespace scantrove {
 namespace {
 
-// A view from farther away, or turned by more, shows a fifth of something else: features are lost from there
-// on.
+// At this distance or rotation a fifth of the view is new, and features begin to be lost.
 constexpr ViewReach kNewKeyFrame{.angle_rad = 0.22, .distance_m = 0.20};
-constexpr double kNear = 3;  ///< times that: near enough to have much in common
+constexpr double kNear = 3;  ///< times kNewKeyFrame: near enough to share much of the view
 const cv::Size kThumbnail(40, 30);
-constexpr std::size_t kByThumbnail = 24;  // key frames whose features are compared: bounds the cost
-constexpr int kProbes = 200;              // features that are compared
-constexpr int kAlikeBits = 50;            // of 256: descriptors with fewer different ones are of one place
-// Of a thumbnail without colour; nearer readings are none.
+constexpr std::size_t kByThumbnail = 24;  // key frames with compared features; bounds the cost
+constexpr int kProbes = 200;              // compared features of the view
+constexpr int kAlikeBits = 50;            // of 256: most different bits of descriptors of the same point
+// Nearest valid reading of a thumbnail without colour.
 constexpr float kNearestReading_m = 0.1F;
-// The blur of a thumbnail: a place is to be known although the camera stands a little aside.
+// The blur of a thumbnail tolerates small displacements of the camera.
 const cv::Size kBlur(5, 5);
 constexpr double kBlurSigma_px = 1.5;
 
-/// How many of the view's strongest features the key frame has.
+/// Number of the view's strongest features that match the key frame's.
 int sharedFeatures(const ColorView& view, const Landmarks& landmarks) {
   const cv::Mat probes = view.descriptors.rowRange(0, std::min(kProbes, view.descriptors.rows));
   return static_cast<int>(std::ranges::count_if(

@@ -9,15 +9,15 @@
 
 namespace scantrove {
 
-/// A tracking key frame: the camera can be relocalised by it.
+/// A tracking key frame, used for relocalisation.
 struct KeyFrame {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   Landmarks landmarks;
-  cv::Mat thumbnail;  ///< of thumbnailOf
+  cv::Mat thumbnail;  ///< of its frame (thumbnailOf)
 };
 
 /// A frame as 40 x 30 numbers of mean 0 and length 1, CV_32FC1: its blurred grey image or, without colour,
-/// its inverse depth. Empty: the frame shows nothing.
+/// its blurred inverse depth. Empty: the image is uniform.
 [[nodiscard]] cv::Mat thumbnailOf(const RgbdFrame& frame);
 
 /// The tracking key frames of a map, one for each place and direction of view. One thread.
@@ -26,22 +26,21 @@ class KeyFrames {
   KeyFrames() = default;
   explicit KeyFrames(std::deque<KeyFrame> key_frames) : key_frames_(std::move(key_frames)) {}
 
-  /// Whether no key frame shows what a camera there sees.
+  /// Whether no key frame shows the view from this pose.
   [[nodiscard]] bool isDue(const Eigen::Isometry3d& T_world_camera) const;
   /// Earlier key frames keep their addresses.
   void add(KeyFrame key_frame) { key_frames_.push_back(std::move(key_frame)); }
   [[nodiscard]] const std::deque<KeyFrame>& all() const { return key_frames_; }
   [[nodiscard]] std::size_t size() const { return key_frames_.size(); }
 
-  /// The key frame whose view is nearest to that of a camera there; null: none is near.
+  /// The key frame with the nearest view to this pose; null: none is near.
   [[nodiscard]] const KeyFrame* nearest(const Eigen::Isometry3d& T_world_camera) const;
-  /// Key frames that may show what the frame shows, most likely first: by thumbnail, then by features. Skips
-  /// the `without_newest` newest ones.
+  /// At most `most` key frames that may show the same place, most likely first: by thumbnail, then by
+  /// features. Skips the `without_newest` newest ones.
   [[nodiscard]] std::vector<const KeyFrame*> alike(const cv::Mat& thumbnail, const ColorView& view,
                                                    std::size_t most, std::size_t without_newest = 0) const;
 
-  /// Length of the camera's path since `key_frame`, one of these, measured along the later ones: metres plus
-  /// radians.
+  /// Length of the camera's path since `key_frame`, one of these, along the later ones: metres plus radians.
   [[nodiscard]] double distanceSince(const KeyFrame& key_frame) const;
 
  private:

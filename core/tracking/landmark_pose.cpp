@@ -7,11 +7,11 @@
 namespace scantrove {
 namespace {
 
-constexpr float kReprojection_px = 3.0F;  // ORB's coarser scales place a feature no better
-// Of RANSAC: the tries end earlier once a better pose is this unlikely.
+constexpr float kReprojection_px = 3.0F;  // accuracy of features at ORB's coarser scales
+// RANSAC ends earlier when it has the best pose with this confidence.
 constexpr int kTries = 300;
 constexpr double kConfidence = 0.999;
-constexpr int kMinInliers = 12;  // three times what determines a pose
+constexpr int kMinInliers = 12;  // three times the number that determines a pose
 
 Eigen::Isometry3d toIsometry(const cv::Mat& rotation, const cv::Mat& translation) {
   const Eigen::Vector3d turn(rotation.at<double>(0), rotation.at<double>(1), rotation.at<double>(2));

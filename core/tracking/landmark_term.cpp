@@ -7,8 +7,8 @@
 
 namespace scantrove {
 namespace {
-constexpr double kOutlier_px = 2.0;     // larger errors weigh less than with their square: mismatches
-constexpr int kColumns = 8, kRows = 6;  // of cells of 80 x 80 pixels of a usual image
+constexpr double kOutlier_px = 2.0;     // larger errors are mismatches and count linearly (Huber)
+constexpr int kColumns = 8, kRows = 6;  // cells of 80 x 80 pixels at 640 x 480
 }  // namespace
 
 void SeenLandmarks::append(const SeenLandmarks& others) {
@@ -47,7 +47,7 @@ LandmarkTerm LandmarkTerm::of(const SeenLandmarks& seen, const Eigen::Isometry3d
   const Eigen::Isometry3d T_color_world = seen.T_color_depth * T_world_depth.inverse();
   const auto fx = static_cast<double>(seen.K.fx);
   const auto fy = static_cast<double>(seen.K.fy);
-  // Errors count in columns: a row may be wider or narrower.
+  // Errors are in units of columns; rows may differ in height.
   const Eigen::Vector2d columns(1, fy / fx);
   for (std::size_t i = 0; i < seen.points_world.size(); ++i) {
     const Eigen::Vector3d q = T_color_world * seen.points_world[i];
@@ -58,7 +58,7 @@ LandmarkTerm LandmarkTerm::of(const SeenLandmarks& seen, const Eigen::Isometry3d
     const double error_px = fx * error.norm() / q.z();
     const double w = std::min(1.0, kOutlier_px / std::max(error_px, 1e-12)) / (q.z() * q.z());
 
-    // The camera moves by the twist: what it sees moves the other way, by -(rotation x arm + translation).
+    // The camera moves by the twist, so points move the other way, by -(rotation x arm + translation).
     Eigen::Matrix<double, 2, 3> flatten;
     flatten << 1, 0, -q.x() / q.z(), 0, 1, -q.y() / q.z();
     const Eigen::Matrix<double, 2, 3> across = columns.asDiagonal() * (flatten * T_color_world.linear());

@@ -3,9 +3,9 @@
 
 namespace scantrove {
 
-/// The camera's next pose when it goes on as it moved from `before_last` to `last` (both camera to world), at
-/// `damping` of that speed: hands slow down more often than they speed up, and noise of the poses must not be
-/// thrown forward in full.
+/// The camera's next pose if it continues its motion from `before_last` to `last` (both camera to world) at
+/// `damping` of that speed. Hands slow down more often than they speed up, and noise of the poses must not be
+/// extrapolated in full.
 [[nodiscard]] inline Eigen::Isometry3d predictPose(const Eigen::Isometry3d& last,
                                                    const Eigen::Isometry3d& before_last,
                                                    double damping = 0.8) {

@@ -27,10 +27,9 @@ struct PoseEstimate {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   double inlier_fraction = 0;  ///< associated pixels / pixels that meet known surface (judgePose)
   double rmse_m = 0;           ///< point-to-plane, over the inliers
-  /// Where the camera has come back to a place: how far off the map, which has drifted since, had it. The
-  /// pose is free of that.
+  /// At a revisited place: the drift of the map since, which is removed from the pose.
   std::optional<double> drift_m = {};
-  int free_directions = 0;  ///< directions of motion that the geometry does not determine (0 = well posed)
+  int free_directions = 0;  ///< directions of motion that the geometry does not determine
 
   [[nodiscard]] bool usable() const {
     return state == TrackingState::tracking || state == TrackingState::relocalized;

@@ -6,42 +6,41 @@
 namespace scantrove {
 namespace {
 
-// Under these a pose is lost.
+// Below these a pose is lost.
 constexpr double kLostInlierFraction = 0.10;
 constexpr double kLostOverlap = 0.02;  // pixels that meet the model / pixels of the image
-// Over these it may be trusted.
+// Above this it may be trusted.
 constexpr double kTrustedOverlap = 0.06;
-// Known surface is most of what is seen above this, as pixels that meet the model / pixels with depth.
+// Pixels that meet the model / pixels with depth, below which little of the view is known.
 constexpr double kMuchIsKnown = 0.20;
-// A wrong pose has readings before and behind the surface; so many of those behind speak against as many
-// before.
+// A wrong pose has readings in front of and behind the surface. Each reading behind makes this many in front
+// count against the pose.
 constexpr double kBeforePerBehind = 2;
-// A trusted pose has come to rest and lies within a hand's reach of the last one.
+// A trusted pose has converged and is within a hand's reach of the last one.
 constexpr double kRest_rad = 0.001;
 constexpr double kRest_m = 0.002;
 constexpr double kReach_rad = 0.5;
 constexpr double kReach_m = 0.3;
 
-/// What a pose must show. Residuals grow with the noise of the camera and are counted in it. On recordings of
-/// structured-light cameras right poses left 2 to 5.3, with 0.7 to 0.95 inliers even over far motions; wrong
-/// ones 4 to 13 with 0.75 inliers at most. After a small motion a wrong pose is unlikely and half-seen
-/// surfaces are common; the more room there was for a false minimum, the more must be shown.
+/// Evidence that a trusted pose needs. Residuals are in units of the camera's noise. On recordings of
+/// structured-light cameras correct poses left 2 to 5.3, with 0.7 to 0.95 inliers even over far motions;
+/// wrong ones left 4 to 13, with 0.75 inliers at most. After a small motion a wrong pose is unlikely, and
+/// half-seen surfaces are common. The likelier a false minimum is, the more evidence is needed.
 struct Evidence {
   double inlier_fraction;
   double residual;  ///< IcpSystem::fit_residual_m / FusionParams::depth_noise_m
 };
-// What a pose must show to be trusted. The less was known of where the camera is, the more: after a small
-// motion least, after a search most. Where little of the map is in view, or a key frame was found, as after a
-// far motion. Landmarks that agree stand for much of the surface.
+// Little of the map in view, or a recognised key frame, needs as much as a far motion. Landmarks that agree
+// replace much of the surface.
 constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 7.6};
 constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 4.6};
 constexpr Evidence kOnLittle{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAtLandmarks{.inlier_fraction = 0.40, .residual = 20};
 constexpr Evidence kAtKeyFrame{.inlier_fraction = 0.70, .residual = 6.0};
-// Landmarks that are seen so near to where the pose has them agree with it.
+// Largest landmark error of a pose that agrees with its landmarks.
 constexpr double kLandmarksAgree_px = 3;
-constexpr double kFar_rad = 0.07;  // motions in one frame from here on are far
+constexpr double kFar_rad = 0.07;  // far motions in one frame begin here
 constexpr double kFar_m = 0.08;
 
 const Evidence& requiredEvidence(PoseOrigin origin, bool on_little, double angle_rad, double distance_m) {
@@ -52,16 +51,16 @@ const Evidence& requiredEvidence(PoseOrigin origin, bool on_little, double angle
   return angle_rad > kFar_rad || distance_m > kFar_m ? kAfterFarMotion : kAfterSmallMotion;
 }
 
-/// Pixels that meet known surface, but for those that something new may be seen in.
+/// Pixels that meet known surface, without those that may show something new.
 double overlapOf(const IcpSystem& system, PoseOrigin origin) {
   if (origin == PoseOrigin::search || origin == PoseOrigin::place) return system.overlap;
   return system.overlap - std::max(0.0, system.before - kBeforePerBehind * system.behind);
 }
 
-// The same view again.
-constexpr double kSeenAgain = 0.5;      // part of the readings that meets what was seen then
-constexpr double kFitsAgain = 0.75;     // and of these, part that fits
-constexpr double kMaxDrift_rad = 0.05;  // a map's, over a loop in a room
+// For isSeenAgain().
+constexpr double kSeenAgain = 0.5;      // part of the readings that meets the stored surface
+constexpr double kFitsAgain = 0.75;     // part of these that fits
+constexpr double kMaxDrift_rad = 0.05;  // of a map, over a loop in a room
 constexpr double kMaxDrift_m = 0.10;
 
 bool isAtRest(const IcpStep& step) { return step.rotation_rad < kRest_rad && step.translation_m < kRest_m; }

@@ -11,22 +11,21 @@
 namespace scantrove {
 namespace {
 
-/// A map is begun with a frame that has depth in at least this part of its pixels.
+/// Share of pixels with depth that the first frame of a map needs.
 constexpr double kMinDepthToBegin = 0.05;
-/// An uncertain pose with so many inliers is worth a start for the next frame.
+/// Share of inliers above which an uncertain pose is a guess for the next frame.
 constexpr double kWorthFollowing = 0.4;
 /// Level of the pyramid that is stored of a seen surface.
 constexpr std::size_t kStoredLevel = 1;
-/// Uncertain frames that are kept, the newest; so many of them are looked at again with each usable frame,
-/// each so often.
+/// Limits for uncertain frames: how many are kept (the newest), how many are tried again with each usable
+/// frame, and how often each is tried.
 constexpr std::size_t kMaxUncertain = 10;
 constexpr std::ptrdiff_t kUncertainAtATime = 2;
 constexpr int kChances = 10;
 
-/// A view from so near shows the same surface.
+/// Views within this distance show the same surface.
 constexpr ViewReach kSameView{.angle_rad = 0.06, .distance_m = 0.06};
-/// A camera that goes on after a while may stand so far from where it was: that is to be shown as clearly as
-/// by one that was lost.
+/// A camera that continues farther than this from its restored pose must be relocalised like a lost one.
 constexpr ViewReach kElsewhere{.angle_rad = 0.5, .distance_m = 0.3};
 
 }  // namespace

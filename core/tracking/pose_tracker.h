@@ -133,18 +133,17 @@ class PoseTracker {
   FusionParams params_;
   ModelView view_model_;
   std::unique_ptr<SurfaceAligner> aligner_;
-  SurfaceMaps verified_;  // the map from a verified pose
+  SurfaceMaps verified_;  // the map rendered near the last verified pose
 
-  std::optional<Eigen::Isometry3d> last_;         // pose of the last usable frame
-  std::optional<Eigen::Isometry3d> before_last_;  // of the frame before it, if that was usable too
-  std::optional<Eigen::Isometry3d>
-      last_uncertain_;        // of the frame before, when it was neither trusted nor lost
-  bool is_lost_ = false;      // the frame before was not usable
-  bool was_firm_ = true;      // the surface determined its pose well
-  bool is_restored_ = false;  // the next frame is the first after restoreState()
+  std::optional<Eigen::Isometry3d> last_;            // pose of the last usable frame
+  std::optional<Eigen::Isometry3d> before_last_;     // of the frame before it, if that was usable too
+  std::optional<Eigen::Isometry3d> last_uncertain_;  // of the frame before, if neither trusted nor lost
+  bool is_lost_ = false;                             // the frame before was not usable
+  bool was_firm_ = true;                             // the surface determined its pose well
+  bool is_restored_ = false;                         // the next frame is the first after restoreState()
 
   SeenSurfaces seen_;
-  const SeenSurfaces::View* seen_again_ = nullptr;  // the one that seen_surface_ holds
+  const SeenSurfaces::View* seen_again_ = nullptr;  // the view rendered in seen_surface_
   SurfaceMaps seen_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
   LandmarkLocator locator_;

@@ -9,17 +9,18 @@
 namespace scantrove {
 namespace {
 
-/// The way that the camera has just come: about two metres, or a turn.
+/// The newest key frames, which the camera has just passed: about two metres, or a turn.
 constexpr std::size_t kNewest = 8;
-/// Of those before, the likeliest.
+/// Number of the most likely earlier ones that are checked.
 constexpr std::size_t kKeyFramesToAsk = 3;
-/// Landmarks that must be seen again, and in so many of 48 cells: a poster of the same kind is in few.
+/// Landmarks that must match, and the least number of 48 cells with them: a poster of the same kind covers
+/// few.
 constexpr std::size_t kFewestSeen = 50;
 constexpr int kCellsSeen = 6;
-/// Of the way since then. A map that has drifted farther is none; what looks the same there is another door,
-/// another poster of the kind.
+/// Part of the path since then. A larger drift is implausible: the match is a similar door or poster
+/// elsewhere.
 constexpr double kMaxDriftPerMeter = 0.1;
-constexpr double kMinToJudge_m = 0.1;  // poses by landmarks alone are that uncertain
+constexpr double kMinToJudge_m = 0.1;  // uncertainty of poses by landmarks alone
 
 double medianOf(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -27,8 +28,8 @@ double medianOf(std::vector<double>& values) {
   return *middle;
 }
 
-/// From where the landmarks were to where the map has the surface that shows them now: the median along each
-/// axis, so that neither noise nor a few wrong ones count.
+/// Distance between the landmarks and the map's surface that shows them now: the median along each axis,
+/// which is robust to noise and to a few mismatches.
 std::optional<RevisitedKeyFrame> driftOf(const SeenLandmarks& seen, const SurfaceInView& surface) {
   std::array<std::vector<double>, 3> along;
   for (std::size_t i = 0; i < seen.pixels.size(); ++i) {

@@ -7,9 +7,10 @@
 namespace scantrove {
 namespace {
 
-/// From so near a registration is good to some millimetres, on recordings of structured-light cameras.
+/// Within this distance a registration is accurate to some millimetres, on recordings of structured-light
+/// cameras.
 constexpr ViewReach kHandsWidth{.angle_rad = 0.10, .distance_m = 0.09};
-/// So far off, the camera is somewhere else.
+/// Beyond this distance the camera has left the place.
 constexpr ViewReach kAway{.angle_rad = 0.55, .distance_m = 0.50};
 
 }  // namespace

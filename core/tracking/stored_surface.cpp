@@ -6,8 +6,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kUnit_m = 0.000125F;  // an eighth of a millimetre: 16 bits reach to 8.1 m
-/// Neighbours farther apart in depth than this part of it are of two surfaces.
+constexpr float kUnit_m = 0.000125F;  // 16 bits reach to 8.1 m
+/// Relative depth difference above which neighbours belong to two surfaces.
 constexpr float kJump = 0.03F;
 
 }  // namespace
@@ -45,7 +45,7 @@ RenderedView StoredSurface::render(const Eigen::Isometry3d& T_world_camera) cons
       if (!isNear(left) || !isNear(right) || !isNear(above) || !isNear(below)) continue;
       const Eigen::Vector3f across = vertexAt(u + 1, v, right) - vertexAt(u - 1, v, left);
       const Eigen::Vector3f down = vertexAt(u, v + 1, below) - vertexAt(u, v - 1, above);
-      // x is right, y down, z forward: down x across looks back at the camera.
+      // x is right, y down, z forward, so down x across points back at the camera.
       view.normals_world[i] << T.linear() * down.cross(across).normalized(), 1.0F;
     }
   }

@@ -10,15 +10,15 @@
 
 namespace scantrove {
 
-/// What a depth camera saw at one moment, small enough to be kept for every place: depths alone, in eighths
-/// of a millimetre (to 8.1 m), from which vertices and normals are made again. Any thread.
+/// The surface in one depth image, small enough to store for every place: depths alone, in eighths of a
+/// millimetre (to 8.1 m), from which vertices and normals are recomputed. Any thread.
 class StoredSurface {
  public:
   StoredSurface() = default;
-  /// `vertices_camera`: by pixel of `K`, w = 0: none.
+  /// `vertices_camera`: by pixel of `K`; w = 0: none.
   StoredSurface(const Intrinsics& K, std::span<const cl_float4> vertices_camera);
 
-  /// `units`: as of another.
+  /// `units`: units() of another surface.
   StoredSurface(const Intrinsics& K, cv::Mat units) : K_(K), units_(std::move(units)) {}
 
   [[nodiscard]] const Intrinsics& intrinsics() const { return K_; }
@@ -26,8 +26,7 @@ class StoredSurface {
   [[nodiscard]] const cv::Mat& units() const { return units_; }
   [[nodiscard]] bool empty() const { return units_.empty(); }
 
-  /// As seen from its camera at `T_world_camera`: vertices, and normals but at outlines and where depth
-  /// jumps.
+  /// The view from its camera at `T_world_camera`. Vertices at outlines and depth jumps have no normals.
   [[nodiscard]] RenderedView render(const Eigen::Isometry3d& T_world_camera) const;
 
  private:

@@ -10,23 +10,23 @@
 namespace scantrove {
 namespace {
 
-// From the finest level to the coarsest; coarser pyramids use the first entries.
+// From the finest level to the coarsest; pyramids with fewer levels use the first entries.
 constexpr std::array<int, 3> kPasses{6, 8, 14};
 constexpr std::array<float, 3> kDistance_m{0.05F, 0.07F, 0.10F};  // IcpGates::distance_m
 // A level has converged when a step is smaller than this, in radians and metres.
 constexpr std::array<double, 3> kSmallStep{1e-4, 2e-4, 4e-4};
-// Weighted mean squared cosine between the normals and a direction of motion below which the direction counts
-// as free. Rooms show 0.01 and more; on a desk seen from afar the pose began to drift at 0.003; on one plane
-// what is left is the noise of the model's normals (0.0012 at 2 degrees).
+// Weighted mean squared cosine between the normals and a direction of motion, below which the direction is
+// free. Rooms have 0.01 and more. On a desk seen from afar the pose began to drift at 0.003. On one plane the
+// noise of the model's normals remains (0.0012 at 2 degrees).
 constexpr double kSmallestEigenvalue = 0.004;
-// Readings whose partner changes with every pass throw the pose to and fro between two places. When steps no
-// longer shrink to this part of the one before, the rest of them is taken by half, and by half again.
+// Readings that change their partner with every pass make the pose oscillate. When a step does not shrink to
+// this part of the one before, all further steps are halved, and so again.
 constexpr double kShrinking = 0.7;
-constexpr double kSmallestShare = 0.25;  // less would hardly move any more
-// Predictions closer to each other than this lead to the same pose.
+constexpr double kSmallestShare = 0.25;  // smaller steps would hardly move the pose
+// Closer guesses lead to the same pose.
 constexpr double kSameGuess_rad = 0.005;
 constexpr double kSameGuess_m = 0.005;
-// The search after a failure turns the camera this far about each axis.
+// alignTurned() turns the camera this far about each axis.
 constexpr double kSearch_rad = 0.10;
 
 Eigen::Isometry3d withExactRotation(Eigen::Isometry3d T) {
@@ -40,8 +40,8 @@ bool isSameGuess(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
          motion.translation().norm() < kSameGuess_m;
 }
 
-/// Mean squared distance over the frame's readings, where a reading that contradicts the model counts as far
-/// as the gate and one that does not meet it half of that.
+/// Mean squared distance over the frame's readings. A reading that contradicts the model counts with the
+/// squared gate, and one that does not meet it with half of that.
 double costOf(const IcpSystem& system, double gate_m) {
   if (system.readings == 0) return 0;
   const double contradicting = system.overlap - system.inliers;
@@ -68,7 +68,7 @@ IcpOutcome SurfaceAligner::align(const DepthPyramid& frame, const SurfaceMaps& m
   const std::size_t coarsest = coarsestOf(frame);
   const auto gate = static_cast<double>(kDistance_m[coarsest]);
   IcpOutcome best = descend(frame, model, guesses.front(), coarsest, landmarks);
-  // Where the surface fits and yet is silent about the motion, all guesses fit alike, and the first stands.
+  // If the surface fits but leaves directions free, all guesses fit alike, and the first is kept.
   const bool is_silent = best.step.free_directions > 0 && 2 * best.system.inliers > best.system.overlap;
   for (std::size_t i = 1; i < guesses.size() && !is_silent; ++i) {
     const auto is_tried = [&](const Eigen::Isometry3d& tried) { return isSameGuess(tried, guesses[i]); };

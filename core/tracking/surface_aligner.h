@@ -11,23 +11,22 @@
 
 namespace scantrove {
 
-/// Frame-to-model alignment: coarse-to-fine projective point-to-plane ICP with Huber weights against the
-/// map's surface as raycast from some pose; motion along directions that the geometry does not determine is
-/// not changed from the guess. Never throws on a singular system: the outcome says so. One thread, the
-/// context's.
+/// Frame-to-model alignment: coarse-to-fine projective point-to-plane ICP with Huber weights, against the
+/// map's surface raycast from some pose. Along directions that the geometry does not determine, the pose
+/// stays as guessed. Never throws on a singular system; the outcome reports it. One thread, the context's.
 class SurfaceAligner {
  public:
   [[nodiscard]] static Result<std::unique_ptr<SurfaceAligner>> create(ComputeContext& compute,
                                                                       float depth_noise_m);
 
-  /// From the guess that fits best at the coarsest level; where the surface is silent about the motion, from
-  /// the first. `guesses` is not empty. With landmarks, which the colour image shows, their reprojection is
+  /// Aligns from the guess that fits best at the coarsest level, or from the first if the surface leaves
+  /// directions free. `guesses` is not empty. The reprojection error of `landmarks` (may be null) is
   /// minimised together with the distance from the surface.
   [[nodiscard]] IcpOutcome align(const DepthPyramid& frame, const SurfaceMaps& model,
                                  std::span<const Eigen::Isometry3d> guesses,
                                  const SeenLandmarks* landmarks = nullptr);
-  /// From the best of several turns of the camera at the model's pose: a hand's jerk is mostly rotation, and
-  /// a camera that was lost often comes back.
+  /// Aligns from the best of several rotations of the camera at the model's pose: a hand's jerk is mostly
+  /// rotation, and a lost camera often returns.
   [[nodiscard]] IcpOutcome alignTurned(const DepthPyramid& frame, const SurfaceMaps& model);
 
  private:

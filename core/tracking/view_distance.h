@@ -4,13 +4,13 @@
 
 namespace scantrove {
 
-/// How far two views may be apart, either way.
+/// Limits of rotation and translation between two views.
 struct ViewReach {
   double angle_rad;
   double distance_m;
 };
 
-/// How far apart two views are: 1 where they are turned or moved by `reach`, whichever is more of it.
+/// Rotation or translation between two views relative to `reach`, whichever is larger.
 [[nodiscard]] inline double viewDistance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
                                          const ViewReach& reach) {
   const Eigen::Isometry3d motion = a.inverse() * b;
