@@ -23,7 +23,7 @@ bool mayBeEmpty(const std::string& name) {
 
 CLI::Validator usable(const std::string& name) {
   return {[name](const std::string& text) -> std::string {
-            if (text.empty() && !mayBeEmpty(name)) return "is empty. Give a value, or leave it out";
+            if (text.empty() && !mayBeEmpty(name)) return "is empty. Give a value, or omit it";
             if (!isUtf8(text) && name != "SOURCE")
               return "'" + forTerminal(text, 100) + "' is not UTF-8. Use other letters";
             return {};

@@ -23,7 +23,7 @@ struct BenchCommand {
 Result<void> bench(ScanRequest request, bool json) {
   const KernelCacheUse kernels;
   const CoreApplication qt;
-  // An empty catalogue and session, gone afterwards: every run does the same work, all that a scan does.
+  // Each run starts with an empty catalogue and session, so all runs do the same work as a scan.
   const QTemporaryDir folder;
   if (!folder.isValid())
     return fail("Cannot make a temporary folder: " + folder.errorString().toStdString() + ".");
@@ -51,12 +51,12 @@ void addBenchCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<BenchCommand>();
   command->options.source = "demo";
   CLI::App* sub =
-      app.add_subcommand("bench", "Time every stage of a scan, and the cost over the size of the map");
+      app.add_subcommand("bench", "Measure the time of each scan stage, and how it grows with the map");
   sub->add_option("SOURCE", command->options.source, "as 'scan' takes it (default demo)")
       ->check(notEmpty("SOURCE"));
   sub->add_flag("--json", command->json, "as JSON");
   sub->add_flag("--kernels", command->kernels,
-                "time every OpenCL kernel too (one at a time, which slows the rest)");
+                "also time each OpenCL kernel (runs them one at a time, which slows the scan)");
   command->options.addTo(*sub);
   sub->callback([command, &outcome] {
     ScanRequest request = command->options.toRequest();

@@ -77,7 +77,7 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchSample>&
   text << std::fixed << std::setprecision(1) << report.source << " on " << report.device << ": "
        << report.frames.read << " frames, " << report.frames.lost << " lost, " << report.fps
        << " fps, peak memory " << report.peak_memory_mb
-       << " MiB\n\nstage          median ms   p95 ms    share   medians of the quarters\n";
+       << " MiB\n\nstage          median ms   p95 ms    share   medians by quarter\n";
   const std::vector<BenchQuarter> quarters = quartersOf(samples);
   for (const ScanReport::Stage& stage : report.stages) {
     text << std::left << std::setw(14) << stage.name << std::right << std::setw(10) << stage.median_ms
@@ -91,17 +91,17 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchSample>&
   }
   text << std::left << std::setw(14) << "frame" << std::right << std::setw(10) << report.frame_median_ms
        << std::setw(9) << report.frame_p95_ms
-       << "\n\nto frame     bricks   frame ms   map ms (medians of the quarter)\n";
+       << "\n\nto frame     bricks   frame ms   map ms (medians by quarter)\n";
   for (const BenchQuarter& quarter : quarters) {
     text << std::setw(8) << quarter.last_frame << std::setw(11) << quarter.bricks << std::setw(11)
          << quarter.frame_median_ms << std::setw(9) << quarter.map_median_ms << '\n';
   }
-  if (!report.slowest_frames.empty()) text << "\nslowest        frame ms   of which above its median\n";
+  if (!report.slowest_frames.empty()) text << "\nslowest        frame ms   stage furthest above its median\n";
   for (const SlowFrame& slow : report.slowest_frames) {
     text << std::left << std::setw(14) << slow.frame + 1 << std::right << std::setw(9) << slow.total_ms
          << "   " << slow.stage << ' ' << slow.stage_ms << '\n';
   }
-  if (!report.kernels.empty()) text << "\nkernel                    mean ms a frame\n";
+  if (!report.kernels.empty()) text << "\nkernel                    mean ms per frame\n";
   for (const ScanReport::Kernel& kernel : report.kernels) {
     text << std::left << std::setw(30) << kernel.name << std::right << std::setw(11) << std::setprecision(2)
          << kernel.mean_ms << '\n';

@@ -10,12 +10,12 @@
 
 namespace scantrove {
 
-/// How the cost of a frame goes with the size of the map.
+/// The cost of one frame and the size of the map at it.
 struct BenchSample {
   int frames_done = 0;
   int bricks = 0;
   double frame_ms = 0;  ///< sum over the stages
-  double map_ms = 0;    ///< of integration and raycast
+  double map_ms = 0;    ///< sum of integration and raycast
   std::map<std::string, double> stages_ms;
 };
 
@@ -28,7 +28,7 @@ struct BenchQuarter {
   std::map<std::string, double> stage_medians_ms;
 };
 
-/// What the map costs a frame early in a run and at its end: medians of up to 41 frames each.
+/// Map time per frame early in a run and at its end: medians of up to 41 frames each.
 struct MapGrowth {
   static constexpr int kEarlyFrame = 50;
   static constexpr int kHalfWindow = 20;
@@ -40,10 +40,10 @@ struct MapGrowth {
 
 [[nodiscard]] BenchSample sampleOf(const ScanSnapshot& snapshot);
 
-/// Up to four quarters of equal numbers of frames; quarters without a sample are left out.
+/// Up to four quarters with equal numbers of frames; quarters without a sample are omitted.
 [[nodiscard]] std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples);
 
-/// Nothing for runs that end before the two windows are apart.
+/// None when the run is so short that the two windows overlap.
 [[nodiscard]] std::optional<MapGrowth> mapGrowthOf(const std::vector<BenchSample>& samples);
 
 [[nodiscard]] std::string benchTable(const ScanReport& report, const std::vector<BenchSample>& samples);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 struct Entry {
   ObjectRecord record;
-  std::vector<ObjectView> views;  // of the session that is judged
+  std::vector<ObjectView> views;  // of the evaluated session
 };
 
 constexpr const char* wordFor(CatalogueVerdict verdict) {
@@ -33,8 +33,8 @@ constexpr const char* wordFor(CatalogueVerdict verdict) {
   return "background";
 }
 
-/// The frames that a scan tracked, by the times in its trajectory. Empty where these are no frame numbers
-/// / 30.
+/// Numbers of the frames that a scan tracked, from the times in its trajectory. Empty if a time is not a
+/// multiple of 1/30 s.
 Result<std::set<long>> scannedFrames(const fs::path& scan) {
   constexpr double kFramesPerSecond = 30;
   const auto trajectory = readTumTrajectory(scan / "trajectory.txt");
@@ -48,7 +48,7 @@ Result<std::set<long>> scannedFrames(const fs::path& scan) {
   return frames;
 }
 
-/// Entries with views of the newest session that stored any, and which that is.
+/// Entries that have views from the newest session with views, and that session.
 Result<std::vector<Entry>> readEntries(ObjectDatabase& database, std::int64_t& session) {
   const auto records = database.objects();
   if (!records) return fail(records.error());
@@ -67,7 +67,7 @@ Result<std::vector<Entry>> readEntries(ObjectDatabase& database, std::int64_t& s
   return entries;
 }
 
-/// The view's box in the true image, which may be of another size than the frame was.
+/// The view's box in the ground truth image, whose size may differ from the frame's.
 cv::Rect boxIn(const cv::Size& image, const ObjectView& view) {
   const double sx = static_cast<double>(image.width) / view.frame_px.width;
   const double sy = static_cast<double>(image.height) / view.frame_px.height;
@@ -82,8 +82,8 @@ Result<EntryJudgment> judge(const Entry& entry, const TrueScene& scene, const st
     const auto image = scene.images.find(view.frame_index);
     if (image == scene.images.end()) continue;
     if (view.frame_px.empty()) {
-      return fail("The views of " + entry.record.name + " do not say where they were cut.",
-                  "An older version stored them: scan again.");
+      return fail("The views of " + entry.record.name + " have no position in their frame.",
+                  "An older version stored them. Scan again.");
     }
     const auto truth = readLabelImage(image->second);
     if (!truth) return fail(truth.error());

@@ -6,8 +6,8 @@
 
 namespace scantrove {
 
-/// Purity and completeness of what a scan put into its catalogue, with the verdict on each entry. `database`
-/// empty: the scan's own.
+/// Purity and completeness of the objects that a scan added to its catalogue, and a verdict for each entry.
+/// If `database` is empty, uses the scan's own catalogue.
 [[nodiscard]] Result<nlohmann::ordered_json> evaluateCatalogueOf(const std::string& scan,
                                                                  const std::string& truth,
                                                                  const std::string& database);

@@ -10,32 +10,32 @@
 
 namespace scantrove {
 
-/// What the program returns: a promise to scripts.
+/// Exit codes of the program. Scripts rely on them.
 enum ExitCode : int {
   kDone = 0,
-  kJobFailed = 1,   ///< the world failed: one message on stderr
-  kWrongUsage = 2,  ///< the command line was not understood
+  kJobFailed = 1,   ///< the command failed; one message on stderr
+  kWrongUsage = 2,  ///< the command line is invalid
 };
 
-/// A name from a file or folder as a part of a line: no control characters, no line feeds.
+/// A name from a file or folder as part of one line: without control characters and line feeds.
 [[nodiscard]] inline std::string inLine(std::string_view name) {
   std::string text = forTerminal(name);
   std::ranges::replace(text, '\n', '?');
   return text;
 }
 
-/// Where a command's callback leaves what the program returns.
+/// Receives the exit code from a command's callback.
 struct CommandOutcome {
   int exit_code = kDone;
 
-  /// Reports `error` on stderr, once, and makes the program return kJobFailed.
+  /// Prints `error` on stderr and sets the exit code to kJobFailed.
   void failWith(const Error& error) {
     std::cerr << "scantrove: " << forTerminal(error.message()) << '\n';
     exit_code = kJobFailed;
   }
 };
 
-/// Each adds one subcommand with its options; its callback does the work and fills `outcome`.
+/// Each adds one subcommand. Its callback runs the command and fills `outcome`.
 void addScanCommand(CLI::App& app, CommandOutcome& outcome);
 void addSessionCommand(CLI::App& app, CommandOutcome& outcome);
 void addExportCommand(CLI::App& app, CommandOutcome& outcome);

@@ -4,11 +4,11 @@
 
 namespace scantrove {
 
-/// Qt without a display: what the database drivers need. One at a time, on the main thread.
+/// Qt without a display, which the database drivers need. One instance at a time, on the main thread.
 class CoreApplication {
  public:
   CoreApplication() : application_(count_, arguments_) {
-    // Qt takes the numbers of the person's language (decimal commas); files and results keep the C ones.
+    // Qt sets the user's locale (decimal commas); files and results need the C number format.
     std::setlocale(LC_NUMERIC, "C");
   }
 

@@ -10,7 +10,6 @@
 namespace scantrove {
 namespace {
 
-/// All that is listed.
 struct Found {
   std::vector<DeviceInfo> devices;
   Result<std::vector<CameraInfo>> cameras;
@@ -39,7 +38,7 @@ void printCameras(const Result<std::vector<CameraInfo>>& cameras) {
     std::cout << "  camera:" << inLine(camera.uri) << "  " << inLine(camera.vendor) << ' '
               << inLine(camera.name) << " (" << inLine(camera.driver) << ")\n";
   }
-  if (cameras->empty()) std::cout << "  none. Without a camera: `camera:Dummy` or `demo`.\n";
+  if (cameras->empty()) std::cout << "  none. Use `camera:Dummy` or `demo` to try without one.\n";
 }
 
 /// "045e:02ae Kinect v1 (Xbox 360), bus 1 device 5, 480 Mbit/s, serial number A00..."
@@ -56,7 +55,7 @@ void printUsb(const std::vector<CameraDiagnosis>& usb) {
   for (const CameraDiagnosis& found : usb) {
     printUsbDevice(found.device, found.camera.name);
     if (found.isWell()) {
-      std::cout << "    driver: " << driverName(found.camera.driver) << "; your user may open it\n";
+      std::cout << "    driver: " << driverName(found.camera.driver) << "; you have access\n";
     } else if (found.is_served) {
       std::cout << "    driver: " << driverName(found.camera.driver) << '\n';
     }
@@ -65,7 +64,8 @@ void printUsb(const std::vector<CameraDiagnosis>& usb) {
     for (const Error& remark : found.remarks) std::cout << "    note: " << inLine(remark.message()) << '\n';
   }
   if (usb.empty()) {
-    std::cout << "  none that is known. Plug the camera in, its power supply too; does `lsusb` show it?\n";
+    std::cout
+        << "  no known camera. Connect the camera and its power supply, and check that `lsusb` shows it.\n";
   }
 }
 
@@ -127,9 +127,10 @@ void addDevicesCommand(CLI::App& app, CommandOutcome&) {
   auto json = std::make_shared<bool>(false);
   auto root = std::make_shared<std::string>("/");
   CLI::App* sub =
-      app.add_subcommand("devices", "List OpenCL devices and cameras; say what keeps a camera from working");
+      app.add_subcommand("devices", "List OpenCL devices and cameras, and problems that prevent their use");
   sub->add_flag("--json", *json, "as JSON");
-  sub->add_option("--root", *root, "look at USB in DIR/sys and DIR/dev (a host's, mounted in a container)")
+  sub->add_option("--root", *root,
+                  "read USB devices from DIR/sys and DIR/dev (for a host mounted in a container)")
       ->type_name("DIR");
   sub->callback([json, root] {
     const KernelCacheUse kernels;

@@ -74,12 +74,15 @@ CLI::App* addEvaluation(CLI::App& parent, const char* name, const char* help,
 
 void addTrajectory(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command,
                    CommandOutcome& outcome) {
-  CLI::App* sub = addEvaluation(parent, "trajectory",
-                                "ATE and RPE of a trajectory: a TUM file, a .log, or a recording's folder",
-                                command, outcome, evaluateTrajectory);
-  sub->add_option("--estimate", command->estimate, "what a scan wrote")->required()->type_name("PATH");
-  sub->add_option("--truth", command->truth, "what is right")->required()->type_name("PATH");
-  sub->add_option("--delta", command->delta_frames, "frames between the poses of the relative error")
+  CLI::App* sub =
+      addEvaluation(parent, "trajectory",
+                    "ATE and RPE of a trajectory: a TUM file, a .log file, or the folder of a recording",
+                    command, outcome, evaluateTrajectory);
+  sub->add_option("--estimate", command->estimate, "estimated trajectory, such as that of a scan")
+      ->required()
+      ->type_name("PATH");
+  sub->add_option("--truth", command->truth, "ground truth trajectory")->required()->type_name("PATH");
+  sub->add_option("--delta", command->delta_frames, "frames between the two poses of a relative error")
       ->transform(wholeNumber(1))
       ->type_name("N");
 }
@@ -97,26 +100,24 @@ void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& c
   CLI::App* sub = addEvaluation(
       parent, "segmentation",
       "Boundary error (eq. 4.1), boundary precision, recall and F, coverage of small and large instances.\n"
-      "Pixels with truth 0 are not annotated and have no part in the boundary error.\n"
-      "--scan compares segments/ (each frame alone), labels/ (merged, as known at that frame) and\n"
-      "labels-final/ of one scan with --label-maps; over_frames lists them for the scan's first 20 frames, "
-      "as\n"
-      "fig. 4.9 of the thesis: n is how many frames had been merged by then, that frame included (frames "
-      "lost or\n"
-      "left out by --stride do not count), and both segmentations are of the surface fused from the same n "
-      "frames.\n"
-      "One scan gives one image for each n: give --scan and --truth several times for means over scans.",
+      "Pixels with truth 0 are not annotated and do not count in the boundary error.\n"
+      "--scan evaluates segments/ (each frame alone), labels/ (merged up to that frame) and labels-final/ "
+      "of\n"
+      "a scan with --label-maps. over_frames lists the first 20 merged frames, as fig. 4.9 of the thesis:\n"
+      "n is the number of frames merged so far, including that one; lost and skipped frames do not count.\n"
+      "Both segmentations use the surface fused from the same n frames.\n"
+      "A scan gives one image per n. Repeat --scan and --truth to average over several scans.",
       command, outcome, evaluateSegmentations);
   sub->add_option("--estimate", command->estimate, "a folder of label PNGs")->type_name("DIR");
-  addFolders(*sub, "--scan", command->scans,
-             "what a scan with --label-maps wrote; may be given several times");
+  addFolders(*sub, "--scan", command->scans, "results of a scan with --label-maps; may be repeated");
   addFolders(*sub, "--truth", command->truths,
-             "true labels, matched by the numbers in their names; a recording with frame-NNNNNN.instance.png")
+             "folder of true labels, matched by frame number, or a recording with frame-NNNNNN.instance.png")
       ->required();
-  sub->add_option("--tolerance", command->metrics.tolerance_px, "of boundary precision and recall, pixels")
+  sub->add_option("--tolerance", command->metrics.tolerance_px,
+                  "tolerance of boundary precision and recall in pixels")
       ->check(atLeast(0))
       ->type_name("PX");
-  sub->add_option("--min-instance", command->metrics.min_instance_px, "leave out smaller true instances")
+  sub->add_option("--min-instance", command->metrics.min_instance_px, "ignore smaller true instances")
       ->transform(wholeNumber(1))
       ->type_name("PX");
 }
@@ -129,21 +130,20 @@ void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& comm
                   CommandOutcome& outcome) {
   CLI::App* sub = addEvaluation(
       parent, "catalogue",
-      "Purity and completeness of the objects that a scan collected, and the verdict on each of them.\n"
-      "purity: share of the entries that are one whole object: in at least 80 % of their views, the view's "
-      "mask and\n"
-      "the object in its frame overlap by more than 0.6 (intersection over union).\n"
-      "completeness: share of the true objects of 5 to 60 cm (longest side), seen in 30 frames or more with "
-      "at\n"
-      "least 400 pixels at 640 x 480, that have such an entry.\n"
-      "completeness_of_entire: the same, of those that were in the image uncut for 30 frames or more.\n"
-      "Verdicts: whole, part (of one object), merger (of several), background (mostly what is no object).\n"
-      "Entries are judged by the views that the newest scan stored.",
+      "Purity and completeness of the objects that a scan added to its catalogue, and a verdict for each.\n"
+      "purity: share of the entries that are one complete object: in at least 80 % of the views, the mask\n"
+      "and the object in its frame overlap by more than 0.6 (intersection over union).\n"
+      "completeness: share of the true objects that have such an entry. Counts objects of 5 to 60 cm\n"
+      "(longest side) that 30 frames or more show with at least 400 pixels at 640 x 480.\n"
+      "completeness_of_entire: the same for objects that lie completely in the image in 30 frames or more.\n"
+      "Verdicts: whole (one complete object), part (of one object), merger (of several objects),\n"
+      "background (mostly background).\n"
+      "Only views from the newest scan count.",
       command, outcome, evaluateCatalogue);
-  sub->add_option("--scan", command->scan, "what a scan wrote")->required()->type_name("DIR");
-  sub->add_option(
-         "--truth", command->truth,
-         "a recording with frame-NNNNNN.instance.png and, to say which instances are objects, instances.json")
+  sub->add_option("--scan", command->scan, "results of a scan")->required()->type_name("DIR");
+  sub->add_option("--truth", command->truth,
+                  "a recording with frame-NNNNNN.instance.png, and instances.json that says which instances "
+                  "are objects")
       ->required()
       ->type_name("DIR");
   sub->add_option("--database", command->database, "the catalogue (default: catalogue.sqlite of the scan)")

@@ -20,12 +20,12 @@ struct ExportCommand {
   bool all_frames = false, background = false, centered = false;
 };
 
-/// Progress in steps of ten percent on stderr; Ctrl+C ends the export.
-class ExportTeller {
+/// Prints progress on stderr in steps of ten percent. Ctrl+C cancels the export.
+class ExportProgressPrinter {
  public:
-  ExportTeller() {
+  ExportProgressPrinter() {
     listenForStop();
-    setAtStop(AtStop::unfinished);  // the next export to that place removes what is left
+    setAtStop(AtStop::unfinished);  // the next export to this folder removes partial output
   }
   void operator()(const ExportProgress& progress) {
     if (stopRequested()) stop_.request_stop();
@@ -43,8 +43,8 @@ class ExportTeller {
 long megabytesOf(std::uint64_t bytes) { return std::lround(static_cast<double>(bytes) / 1e6); }
 
 Result<void> exportObjects(const ExportCommand& command) {
-  ExportTeller teller;
-  const auto summary = exportCatalogue(command.database, command.out, std::ref(teller), teller.token());
+  ExportProgressPrinter printer;
+  const auto summary = exportCatalogue(command.database, command.out, std::ref(printer), printer.token());
   if (!summary) return fail(summary.error());
   for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '\n';
   std::cout << "objects  " << summary->objects << " objects, " << summary->views << " views, "
@@ -61,10 +61,10 @@ Result<void> exportSession(const ExportCommand& command) {
   for (const std::string& damage : (*session)->damages())
     std::cerr << "scantrove: " << inLine(damage) << '\n';
   SessionScan scan(**session);
-  ExportTeller teller;
+  ExportProgressPrinter printer;
   const auto exportScan = command.centered ? exportCenteredMesh : exportDataset;
   const auto summary = exportScan(scan, {*format, command.out, command.all_frames, command.background},
-                                  std::ref(teller), teller.token());
+                                  std::ref(printer), printer.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
     std::cerr << "scantrove: " << inLine((*session)->missingCatalogue()->message()) << '\n';
@@ -83,36 +83,35 @@ Result<void> exportSession(const ExportCommand& command) {
 void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ExportCommand>();
   CLI::App* sub = app.add_subcommand("export", "Export a data set of a scan or a catalogue");
-  sub->add_option("DIR", command->folder, "the session: a folder that a scan was written to");
+  sub->add_option("DIR", command->folder, "folder of the session");
   sub->add_option("--database", command->database,
-                  "instead of DIR: the views of all objects of this catalogue")
+                  "instead of DIR: export the views of all objects of this catalogue")
       ->type_name("FILE");
-  sub->add_option("--format", command->format, "what to make of a session")
+  sub->add_option("--format", command->format, "format of the data set")
       ->check(CLI::IsMember(datasetFormatNames()))
       ->type_name("coco|bop|yolo|masks|ply|pcd|mesh|tum|scannet");
-  sub->add_option("--out", command->out, "folder for the data set, which must be empty or missing")
+  sub->add_option("--out", command->out, "folder for the data set; must be empty or not exist")
       ->required()
       ->type_name("DIR2");
-  sub->add_flag("--all-frames", command->all_frames, "every frame that was kept, not key frames only");
-  sub->add_flag("--background", command->background, "also what is background or was rejected");
-  sub->add_flag(
-      "--centred,--centered", command->centered,
-      "with --format mesh: move each object's middle to the origin, and write the offset beside it");
+  sub->add_flag("--all-frames", command->all_frames, "export all stored frames, not only key frames");
+  sub->add_flag("--background", command->background, "include background and rejected regions");
+  sub->add_flag("--centred,--centered", command->centered,
+                "with --format mesh: centre each object at the origin and write the offset to a file");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
   sub->callback([command, &outcome] {
     const bool is_catalogue = !command->database.empty();
     if (is_catalogue != command->folder.empty()) {
-      throw CLI::ValidationError("DIR",
-                                 "is the session to export, --database a catalogue: give one of the two");
+      throw CLI::ValidationError("DIR", "is a session, --database a catalogue. Give one of them");
     }
     if (is_catalogue && (!command->format.empty() || command->all_frames || command->background)) {
-      throw CLI::ValidationError("--database", "takes none of --format, --all-frames and --background");
+      throw CLI::ValidationError("--database",
+                                 "cannot be combined with --format, --all-frames or --background");
     }
     if (command->centered && command->format != "mesh")
-      throw CLI::ValidationError("--centred", "moves the objects of --format mesh, and of no other format");
+      throw CLI::ValidationError("--centred", "needs --format mesh");
     if (!is_catalogue && command->format.empty())
-      throw CLI::ValidationError("--format", "is needed: what shall the session be exported as?");
+      throw CLI::ValidationError("--format", "is required to export a session");
     const CoreApplication qt;
     const auto done = is_catalogue ? exportObjects(*command) : exportSession(*command);
     if (!done) outcome.failWith(done.error());

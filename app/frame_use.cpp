@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// What the depth images of a recording's first frames hold.
+/// Depth statistics of the first frames of a recording.
 struct DepthSample {
   int images = 0;
   std::vector<double> medians_m;  ///< of the images with readings
@@ -46,23 +46,22 @@ Error likelyReason(const ScanReport& report, const SourceOptions& options, bool 
   DepthSample sample = sampleDepth(report.source, options);
   if (sample.images > 0 && sample.medians_m.empty()) {
     return {"its depth images hold no readings (all 0 or 65535)",
-            "Was the depth recorded, and is this the depth folder?"};
+            "Check that depth was recorded and that this is the depth folder."};
   }
   if (!sample.medians_m.empty()) {
     std::ranges::nth_element(sample.medians_m, sample.medians_m.begin() + sample.medians_m.size() / 2);
     const double median_m = sample.medians_m[sample.medians_m.size() / 2];
     if (median_m < fusion.min_depth_m || median_m > fusion.max_depth_m) {
-      return {"its depth is around " + meters(median_m) + ", and readings from " + range + " are used",
+      return {"its median depth is " + meters(median_m) + ", but only depths from " + range + " are used",
               "Give the right --depth-scale (units per metre: 1000 for millimetres, 5000 for TUM), or other "
               "limits with --set fusion.min_depth_m=... and fusion.max_depth_m=..."};
     }
   }
   if (is_resumed && report.map_bricks > 0) {
-    return {"in none of them the camera found its place in the map of the earlier scan",
-            "Begin where that scan has been, or scan into a new folder with --out."};
+    return {"no frame matches the map of the earlier scan",
+            "Start at a place that it has seen, or scan into a new folder with --out."};
   }
-  return {"too few of its pixels have a depth from " + range,
-          "Aim the camera at things that are in this range."};
+  return {"too few pixels have a depth from " + range, "Point the camera at surfaces in this range."};
 }
 
 }  // namespace

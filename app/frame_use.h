@@ -5,8 +5,9 @@
 
 namespace scantrove {
 
-/// Error: no frame of the scan came into the map, with the likely reason (no depth, a wrong depth scale), for
-/// which a recording's first frames are read again. A scan that was stopped before its first frame is none.
+/// Error: no frame of the scan was added to the map. The message gives the likely reason (no depth, wrong
+/// depth scale); to find it, the first frames of a recording are read again. A scan that was stopped before
+/// its first frame is no error.
 [[nodiscard]] Result<void> checkFramesWereUsed(const ScanReport& report, const SourceOptions& options,
                                                bool is_resumed = false);
 

@@ -4,10 +4,10 @@
 
 namespace scantrove {
 
-using Json = nlohmann::ordered_json;  ///< keys stay as they were written: people read this, too
+using Json = nlohmann::ordered_json;  ///< keeps the order of the keys, for human readers
 
-/// To stdout, indented by one. What is not UTF-8 in a name is replaced: a script gets JSON whatever a file
-/// holds.
+/// Prints to stdout, indented by one. Replaces invalid UTF-8 in names, so that the output is always valid
+/// JSON.
 inline void printJson(const Json& json) {
   std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
 }

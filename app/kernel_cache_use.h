@@ -4,7 +4,7 @@
 
 namespace scantrove {
 
-/// For a command that computes: as KernelCache, and says on stderr what a person should know of it.
+/// Kernel cache of a command. Prints the remark of the cache on stderr.
 class KernelCacheUse {
  public:
   KernelCacheUse() {

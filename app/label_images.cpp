@@ -24,7 +24,7 @@ std::optional<long> lastNumber(const std::string& name) {
   return number;
 }
 
-/// One of the images that `record` writes.
+/// Whether `record` writes images with this name.
 bool isRecordedImage(const std::string& name) {
   return name.starts_with("frame-") &&
          (name.ends_with(".color.png") || name.ends_with(".depth.png") || name.ends_with(".instance.png"));

@@ -7,14 +7,15 @@
 
 namespace scantrove {
 
-/// Label images by the number of their frame, in order.
+/// Label images by frame number.
 using NumberedImages = std::map<long, std::filesystem::path>;
 
-/// The PNGs of a folder by the last number in their names (000012.png, img-12-label.png); of a recording with
-/// truth, only its frame-NNNNNN.instance.png. Error: the folder is missing, or two have one number.
+/// The PNGs of a folder by the last number in their names (000012.png, img-12-label.png). Of a recording with
+/// ground truth, only frame-NNNNNN.instance.png. Error: the folder is missing, or two images have the same
+/// number.
 [[nodiscard]] Result<NumberedImages> numberedImages(const std::filesystem::path& folder);
 
-/// The label image as the metrics take it. Error: names `path`.
+/// Metrics of the label image at `path`, resized to `truth` if needed. The error names `path`.
 [[nodiscard]] Result<SegmentationMetrics> evaluateLabelImage(const std::filesystem::path& path,
                                                              const cv::Mat& truth,
                                                              const SegmentationMetricOptions& options);

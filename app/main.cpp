@@ -15,7 +15,7 @@
 namespace scantrove {
 namespace {
 
-/// Options before a command belong to the window: they would be lost.
+/// Options before a command belong to the window and would be ignored.
 void refuseStrayOptions(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() > 0)
@@ -23,8 +23,8 @@ void refuseStrayOptions(const CLI::App& app) {
   }
 }
 
-/// What a command printed must have arrived: a full disk is a failure of the job.
-int afterPrinting(int exit_code) {
+/// A failed write of the output, for example on a full disk, is a failure of the command.
+int flushOutput(int exit_code) {
   errno = 0;
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return exit_code;
@@ -34,7 +34,7 @@ int afterPrinting(int exit_code) {
 }
 
 int run(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files (ulimit -f) is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding `ulimit -f` is then a write error, as a full disk is
   useSingleArena();
   initializeLog();
   pinDeviceThreads();
@@ -42,8 +42,8 @@ int run(int argc, char** argv) {
   WindowCommand window;
   WindowOptions window_options;
   CLI::App app{
-      "Sweep an RGB-D camera over a scene, collect its objects in a database.\n"
-      "Without a command: opens the window (and SOURCE in it).",
+      "Scan a scene with an RGB-D camera and collect its objects in a catalogue.\n"
+      "Without a command: opens the window, and SOURCE in it.",
       "scantrove"};
   app.set_version_flag("--version", std::string("scantrove ") + SCANTROVE_VERSION);
   window.addTo(app);
@@ -71,7 +71,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? kDone : kWrongUsage;
   }
   if (!app.get_subcommands().empty()) return outcome.exit_code;
-  int own_arguments = 1;  // Qt has options of its own; ours are read already
+  int own_arguments = 1;  // hides our options from Qt
   return runWindow(own_arguments, argv, window_options);
 }
 
@@ -80,7 +80,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return scantrove::afterPrinting(scantrove::run(argc, argv));
+    return scantrove::flushOutput(scantrove::run(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "scantrove: " << scantrove::forTerminal(error.what()) << '\n';
     return scantrove::kJobFailed;

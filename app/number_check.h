@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// Accepts decimal whole numbers from `least` on that fit into an int. Says so in words when refused. Leading
-/// zeros go ("000500", as in a frame's name): to CLI11 they would mean octal.
+/// Accepts decimal integers from `least` on that fit into an int. Removes leading zeros ("000500", as in
+/// frame names), which CLI11 would read as octal.
 inline CLI::Validator wholeNumber(int least) {
   return {[least](std::string& text) -> std::string {
             int value = 0;
@@ -24,8 +24,7 @@ inline CLI::Validator wholeNumber(int least) {
           ""};
 }
 
-/// Accepts finite numbers from `least` on; with `without_least`, only greater ones. Says so in words when
-/// refused.
+/// Accepts finite numbers from `least` on; with `without_least`, only greater ones.
 inline CLI::Validator atLeast(double least, bool without_least = false) {
   return {[=](const std::string& text) -> std::string {
             double value = 0;

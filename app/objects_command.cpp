@@ -25,15 +25,15 @@ Result<std::unique_ptr<ObjectDatabase>> openExisting(const std::string& database
   std::error_code failure;
   if (database.find("://") == std::string::npos && !std::filesystem::exists(database, failure)) {
     if (failure) {
-      return fail("Cannot read " + database + " (" + failure.message() + ").", "Check the name.");
+      return fail("Cannot read " + database + " (" + failure.message() + ").", "Check the path.");
     }
     return fail("There is no database " + database + ".",
-                "A scan makes one: scantrove scan SOURCE --out DIR.");
+                "A scan creates one: scantrove scan SOURCE --out DIR.");
   }
   return ObjectDatabase::open(database);
 }
 
-/// The object with the id `text`, or else the one of that name: no name is a number alone.
+/// Finds an object by id, or else by name. Names are never only digits.
 Result<ObjectRecord> findObject(ObjectDatabase& database, const std::string& text) {
   std::uint32_t id = 0;
   const char* end = text.data() + text.size();
@@ -113,7 +113,7 @@ Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
   return {};
 }
 
-/// Says what an object is now, after a change.
+/// Prints an object after a change.
 Result<void> report(ObjectDatabase& database, ObjectId id, const ObjectsCommand& command) {
   const auto object = database.object(id);
   if (!object) return fail(object.error());
@@ -199,19 +199,20 @@ void addObjectsCommand(CLI::App& app, CommandOutcome& outcome) {
   };
   add("list", "All objects", list);
   take_object(add("show", "One object with its views", show), "name or id");
-  take_object(add("rename", "Give an object another name", rename), "name or id")
+  take_object(add("rename", "Rename an object", rename), "name or id")
       ->add_option("NAME", command->other, "the new name")
       ->required();
-  take_object(add("confirm", "Mark an object as right", confirm), "name or id")
-      ->add_flag("--undo", command->undo, "take the mark back");
-  take_object(add("merge",
-                  "Make two objects one: the one that a person named is kept, then the confirmed, then the "
-                  "older one",
-                  merge),
-              "name or id")
+  take_object(add("confirm", "Mark an object as confirmed", confirm), "name or id")
+      ->add_flag("--undo", command->undo, "remove the mark");
+  take_object(
+      add("merge",
+          "Merge two objects. Keeps the one that a user named, else the confirmed one, else the older "
+          "one",
+          merge),
+      "name or id")
       ->add_option("OTHER", command->other, "name or id of the other object")
       ->required();
-  take_object(add("delete", "Hide an object everywhere", remove), "name or id");
+  take_object(add("delete", "Delete an object from the catalogue", remove), "name or id");
 }
 
 }  // namespace scantrove

@@ -61,8 +61,8 @@ void printParamsAsJson(const ScanParams& params) {
 void addParamsCommand(CLI::App& app, CommandOutcome&) {
   auto command = std::make_shared<ParamsCommand>();
   CLI::App* sub = app.add_subcommand("params", "List the parameters: value, unit, range, meaning");
-  sub->add_option("--config", command->config, "show the values after this TOML file")->type_name("FILE");
-  sub->add_option("--set", command->settings, "show the values after this setting")
+  sub->add_option("--config", command->config, "apply this TOML file first")->type_name("FILE");
+  sub->add_option("--set", command->settings, "apply this setting first")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)

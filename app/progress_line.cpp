@@ -32,7 +32,7 @@ void ProgressLine::show(const std::function<std::string()>& describe) {
   line_is_open_ = is_terminal_;
 }
 
-void ProgressLine::say(const std::string& message) {
+void ProgressLine::print(const std::string& message) {
   clearLine();
   line_is_open_ = false;
   std::cerr << forTerminal(message) << '\n';

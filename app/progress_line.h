@@ -7,20 +7,20 @@
 
 namespace scantrove {
 
-/// Progress on stderr: one line rewritten in place on a terminal, a new line every few seconds elsewhere. One
+/// Progress on stderr. On a terminal it rewrites one line; elsewhere it prints a line every 3 s. Use from one
 /// thread.
 class ProgressLine {
  public:
   ProgressLine();
-  ~ProgressLine();  ///< leaves the terminal at the start of a fresh line
+  ~ProgressLine();  ///< ends the open line of a terminal
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const ScanSnapshot& snapshot);
-  /// The same with words of one's own, asked for only when they are shown.
+  /// Shows the text of `describe`, which is called only when the text is due.
   void show(const std::function<std::string()>& describe);
-  /// A message of its own line, between two states of the progress.
-  void say(const std::string& message);
+  /// Prints a message on its own line.
+  void print(const std::string& message);
 
  private:
   using Clock = std::chrono::steady_clock;

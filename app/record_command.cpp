@@ -24,13 +24,13 @@ std::string describeFrames(int written, const SourceInfo& info) {
 Result<int> writeFrames(FrameSource& source, RecordingWriter& writer) {
   ProgressLine progress;
   listenForStop();
-  setAtStop(AtStop::unfinished);  // each frame is written whole or not at all
+  setAtStop(AtStop::unfinished);  // frames are written atomically
   int written = 0;
   while (!stopRequested()) {
     const FrameRead read = source.next();
     if (read.status == FrameRead::Status::end) break;
     if (read.status == FrameRead::Status::failed) return fail(read.error);
-    if (read.status == FrameRead::Status::skipped) progress.say(read.error.message());
+    if (read.status == FrameRead::Status::skipped) progress.print(read.error.message());
     if (read.status != FrameRead::Status::frame) continue;
     SCANTROVE_TRY(writer.add(read.frame));
     ++written;
@@ -47,7 +47,7 @@ Result<void> record(const RecordCommand& command, const SourceOptions& options) 
   const auto written = writeFrames(**source, *writer);
   if (!written) return fail(written.error());
   if (*written == 0 && !stopRequested()) {
-    return fail(command.options.source + " gave no frame that could be recorded.",
+    return fail(command.options.source + " has no frame that can be recorded.",
                 "Try it with 'scantrove scan'.");
   }
   std::cout << "frames   " << *written << "\nresults  " << inLine(command.out) << '\n';
@@ -60,8 +60,8 @@ void addRecordCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<RecordCommand>();
   CLI::App* sub = app.add_subcommand(
       "record",
-      "Write a source as a folder in 7-Scenes layout: frame-NNNNNN.{color.png, depth.png, pose.txt};\n"
-      "random scenes (demo:room:SEED, demo:tabletop:SEED) with their truth, frame-NNNNNN.instance.png");
+      "Store a source as a recording in 7-Scenes layout: frame-NNNNNN.{color.png, depth.png, pose.txt}.\n"
+      "Random scenes (demo:room:SEED, demo:tabletop:SEED) include ground truth, frame-NNNNNN.instance.png");
   sub->add_option("SOURCE", command->options.source, kSourceHelp)->required()->check(notEmpty("SOURCE"));
   sub->add_option("--out", command->out, "folder for the recording; new or empty")
       ->required()

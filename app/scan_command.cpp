@@ -48,7 +48,7 @@ void printSummary(const ScanReport& report, const std::string& out) {
   }
   const ScanReport::Refinement& refinement = report.refinement;
   if (refinement.skipped) {
-    std::cout << "\nrefined  not yet; 'scantrove session refine' does it";
+    std::cout << "\nrefined  no; run 'scantrove session refine'";
   } else if (refinement.key_frames > 0) {
     std::cout << "\nrefined  with " << refinement.key_frames << " key frames in " << refinement.seconds
               << " s";
@@ -57,13 +57,13 @@ void printSummary(const ScanReport& report, const std::string& out) {
 }
 
 Result<void> scan(const ScanArguments& command, ScanRequest request) {
-  const CoreApplication qt;  // the check of the folder reads its session
+  const CoreApplication qt;  // reading the session of the folder needs it
   const std::string& out = command.resume.empty() ? command.out : command.resume;
   request.resume = !command.resume.empty();
   request.overwrite = command.overwrite;
   request.record_all = command.record;
   request.session = !command.no_session;
-  // Before anything is opened: nobody wants to learn this at the end of a scan.
+  // Checked first, so that a scan does not fail at its end.
   if (!request.resume && !command.overwrite)
     SCANTROVE_TRY(checkHoldsOnlyOurs(out, {true, command.label_maps}));
   SCANTROVE_TRY(prepareOutputFolder(out));
@@ -87,29 +87,28 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ScanArguments>();
   CLI::App* sub = app.add_subcommand("scan", "Scan a recording or a camera without a window");
   sub->add_option("SOURCE", command->options.source, kSourceHelp)->required()->check(notEmpty("SOURCE"));
-  sub->add_option("--out", command->out, "folder for the results; made when missing")->type_name("DIR");
-  sub->add_option("--resume", command->resume, "instead of --out: go on in the folder of an earlier scan")
+  sub->add_option("--out", command->out, "folder for the results; created if missing")->type_name("DIR");
+  sub->add_option("--resume", command->resume, "instead of --out: continue the scan in this folder")
       ->type_name("DIR");
-  sub->add_flag("--record", command->record, "keep the images of every frame, not of key frames only");
-  sub->add_flag("--no-session", command->no_session, "results only: the scan cannot be opened again")
+  sub->add_flag("--record", command->record, "store the images of all frames, not only of key frames");
+  sub->add_flag("--no-session", command->no_session, "write results only; the scan cannot be opened again")
       ->excludes("--resume")
       ->excludes("--record");
   sub->add_option(
          "--database", command->database,
-         "catalogue to search and add to (default DIR/catalogue.sqlite, or that of the earlier scan)")
+         "catalogue to search and extend (default: DIR/catalogue.sqlite, or that of the continued scan)")
       ->type_name("FILE");
-  sub->add_flag("--label-maps", command->label_maps,
-                "also write the segments and regions of every frame as PNGs");
+  sub->add_flag("--label-maps", command->label_maps, "also write segments and regions of each frame as PNGs");
   sub->add_flag("--skip-refinement", command->skip_refinement,
-                "leave the pass after the last frame for later ('scantrove session refine')");
+                "skip the refinement; 'scantrove session refine' does it later");
   sub->add_flag("--overwrite", command->overwrite,
-                "replace results in DIR that no scan wrote; other files there are kept")
+                "replace result files in DIR that no scan wrote; other files stay")
       ->excludes("--resume");
   command->options.addTo(*sub);
   sub->callback([command, &outcome] {
     if (command->out.empty() == command->resume.empty()) {
-      throw CLI::ValidationError(
-          "--out", "is the folder for a new scan, --resume that of an earlier one: give one of the two");
+      throw CLI::ValidationError("--out",
+                                 "is the folder of a new scan, --resume of an earlier one. Give one of them");
     }
     if (const auto done = scan(*command, command->options.toRequest()); !done) outcome.failWith(done.error());
   });

@@ -29,24 +29,25 @@ ColorRegistration colorRegistrationFrom(const std::string& text) {
 }  // namespace
 
 void ScanOptions::addSourceTo(CLI::App& command) {
-  command.add_option("--frames", frames, "at most so many frames")->transform(wholeNumber(1))->type_name("N");
-  command.add_option("--start", start, "skip so many frames first")
+  command.add_option("--frames", frames, "maximum number of frames")
+      ->transform(wholeNumber(1))
+      ->type_name("N");
+  command.add_option("--start", start, "number of frames to skip at the start")
       ->transform(wholeNumber(0))
       ->type_name("N");
-  command.add_option("--stride", stride, "then take every N-th")->transform(wholeNumber(1))->type_name("N");
-  command.add_option("--intrinsics", intrinsics, "camera of folders that do not carry one, pixels")
+  command.add_option("--stride", stride, "use every N-th frame")->transform(wholeNumber(1))->type_name("N");
+  command.add_option("--intrinsics", intrinsics, "camera in pixels, for folders that do not give it")
       ->type_name("fx,fy,cx,cy");
-  command.add_option("--depth-scale", depth_scale, "depth units per metre of folders that do not carry it")
+  command.add_option("--depth-scale", depth_scale, "depth units per metre, for folders that do not give it")
       ->check(above(0))
       ->type_name("S");
   command
       .add_option(
           "--color-registration", color_registration,
-          "how colour lies over depth: 'registered', 'kinect' (a Kinect v1 as it leaves the factory), or "
-          "the\n"
-          "colour camera: its pixels, and of a point its x (or x,y,z; or x,y,z and a rotation) in the "
-          "colour\n"
-          "camera less that in the depth camera, in metres and degrees (default: what the source says)")
+          "how the colour image is aligned with depth: 'registered', 'kinect' (factory values of a Kinect\n"
+          "v1), or the colour camera: intrinsics in pixels, then the transform from depth camera to colour\n"
+          "camera coordinates: translation (x, or x,y,z) in metres, optional rotation in degrees\n"
+          "(default: from the source)")
       ->type_name("registered|kinect|fx,fy,cx,cy,x[,y,z[,rx,ry,rz]]");
 }
 
@@ -59,7 +60,7 @@ void ScanOptions::addTo(CLI::App& command) {
   command.add_option("--set", settings, "one parameter; 'scantrove params' lists them")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false)  // what follows it is the source
+      ->allow_extra_args(false)  // the next argument is SOURCE
       ->type_name("key=value");
   command.add_option("--device", device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");

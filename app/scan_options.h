@@ -7,7 +7,7 @@
 
 namespace scantrove {
 
-/// The options that say what to scan and how; shared by all commands that scan.
+/// Options for source and scan, shared by all commands that scan.
 struct ScanOptions {
   std::string source;
   int frames = 0;  ///< 0 = all
@@ -15,28 +15,26 @@ struct ScanOptions {
   int stride = 1;
   std::string poses = "tracked";
   std::string intrinsics;          ///< "fx,fy,cx,cy", or empty
-  std::string color_registration;  ///< as parseColorRegistration() reads it; empty = the source's
-  double depth_scale = 0;          ///< units per metre; 0 = the source's
+  std::string color_registration;  ///< format of parseColorRegistration(); empty = from the source
+  double depth_scale = 0;          ///< units per metre; 0 = from the source
   std::string config;
   std::vector<std::string> settings;
   std::string device;
 
   void addTo(CLI::App& command);
-  /// Only which frames of the source, and what is known of its cameras.
+  /// Adds only the options for frames and cameras of the source.
   void addSourceTo(CLI::App& command);
 
-  /// What they ask for; all but results and catalogue. Throws CLI::ValidationError (wrong usage) with what is
-  /// wrong.
+  /// The request without results and catalogue. Throws CLI::ValidationError (wrong usage).
   [[nodiscard]] ScanRequest toRequest() const;
-  /// The part of addSourceTo(). Throws likewise.
+  /// The options of addSourceTo(). Throws CLI::ValidationError.
   [[nodiscard]] SourceOptions toSourceOptions() const;
 };
 
 inline constexpr const char* kSourceHelp =
-    "a folder, an .oni file, 'camera', 'camera:URI', 'freenect' (a Kinect v1), 'demo', 'demo:room', "
-    "'demo:wall',\n'demo:corridor'; a random scene: 'demo:room:SEED', and so tabletop, sweep, moving; "
-    "':uneven' "
-    "gives a\ndemo's surfaces bumps, ':drab' few colours, ':exact' takes the noise away";
+    "a folder, an .oni file, 'camera', 'camera:URI', 'freenect' (Kinect v1), 'demo', 'demo:room',\n"
+    "'demo:wall', 'demo:corridor', or a random scene: 'demo:room:SEED' (also tabletop, sweep, moving).\n"
+    "A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast) or ':exact' (no noise)";
 
 /// The parameters after `config` (none when empty), then `settings`. Throws CLI::ValidationError.
 [[nodiscard]] ScanParams paramsFrom(const std::string& config, const std::vector<std::string>& settings);

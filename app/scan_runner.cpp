@@ -12,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-/// Events from the worker for the main thread, in order, none lost.
+/// Queue of events from the worker to the main thread.
 class EventQueue {
  public:
   void push(const ScanEvent& event) {
@@ -23,10 +23,10 @@ class EventQueue {
     arrived_.notify_one();
   }
 
-  /// The next event, or none after `patience`.
-  std::optional<ScanEvent> pop(std::chrono::milliseconds patience) {
+  /// The next event, or none after `timeout`.
+  std::optional<ScanEvent> pop(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    if (!arrived_.wait_for(lock, patience, [this] { return !events_.empty(); })) return std::nullopt;
+    if (!arrived_.wait_for(lock, timeout, [this] { return !events_.empty(); })) return std::nullopt;
     ScanEvent event = std::move(events_.front());
     events_.pop_front();
     return event;
@@ -38,7 +38,7 @@ class EventQueue {
   std::deque<ScanEvent> events_;
 };
 
-/// A scan whose events come to the main thread, and what a signal does to it.
+/// Runs a scan, handles its events on the main thread and stops it on signals.
 class Runner {
  public:
   explicit Runner(const std::function<void(const ScanSnapshot&)>& watch)
@@ -46,14 +46,14 @@ class Runner {
 
   Result<ScanReport> run(ScanRequest request) {
     constexpr std::chrono::milliseconds kPoll{20};
-    if (request.refine_session) setAtStop(AtStop::unfinished);  // the scan is on the disk
+    if (request.refine_session) setAtStop(AtStop::unfinished);  // the scan is stored already
     is_live_ = request.source.starts_with("camera") || request.source.starts_with("freenect");
     worker_.post(StartScan{std::move(request)});
     while (true) {
       if (const auto event = events_.pop(kPoll)) {
         if (const auto* failed = std::get_if<ScanFailed>(&*event)) return fail(failed->error);
         if (const auto* finished = std::get_if<ScanFinished>(&*event)) {
-          showLatest();  // the last one was posted before this event
+          showLatest();  // the last snapshot was posted before this event
           return finished->report;
         }
         show(*event);
@@ -65,14 +65,15 @@ class Runner {
 
  private:
   void show(const ScanEvent& event) {
-    if (std::holds_alternative<PreparingDevice>(event)) progress_.say("Preparing the processor (once).");
+    if (std::holds_alternative<PreparingDevice>(event))
+      progress_.print("Preparing the OpenCL device (once).");
     if (const auto* state = std::get_if<StateChanged>(&event)) enter(state->state);
     if (const auto* refined = std::get_if<RefinementStepped>(&event)) showRefinement(*refined);
-    if (const auto* skipped = std::get_if<FrameSkipped>(&event)) progress_.say(skipped->error.message());
-    if (const auto* failure = std::get_if<CatalogueFailed>(&event)) progress_.say(failure->error.message());
-    if (const auto* failure = std::get_if<MapFailed>(&event)) progress_.say(failure->error.message());
-    if (const auto* drifted = std::get_if<MapDrifted>(&event)) progress_.say(drifted->error.message());
-    if (const auto* advice = std::get_if<ScanAdvice>(&event)) progress_.say(advice->error.message());
+    if (const auto* skipped = std::get_if<FrameSkipped>(&event)) progress_.print(skipped->error.message());
+    if (const auto* failure = std::get_if<CatalogueFailed>(&event)) progress_.print(failure->error.message());
+    if (const auto* failure = std::get_if<MapFailed>(&event)) progress_.print(failure->error.message());
+    if (const auto* drifted = std::get_if<MapDrifted>(&event)) progress_.print(drifted->error.message());
+    if (const auto* advice = std::get_if<ScanAdvice>(&event)) progress_.print(advice->error.message());
   }
 
   void enter(ScanState state) {
@@ -86,8 +87,8 @@ class Runner {
   void showRefinement(const RefinementStepped& refined) {
     if (refined.done == 0 && refined.keyFrame() == 1 && !is_refining_) {
       is_refining_ = true;
-      progress_.say("Refining objects with " + std::to_string(refined.key_frames) +
-                    " key frames; Ctrl+C skips the rest.");
+      progress_.print("Refining objects with " + std::to_string(refined.key_frames) +
+                      " key frames; Ctrl+C skips the rest.");
     }
     progress_.show([&refined] {
       return "refining objects: key frame " + std::to_string(refined.keyFrame()) + " of " +
@@ -108,16 +109,16 @@ class Runner {
     if (is_stopping_) return;
     is_stopping_ = true;
     if (state_ == ScanState::refining) {
-      progress_.say("Skipping the rest of the refinement; writing what there is.");
+      progress_.print("Skipping the rest of the refinement and writing the results.");
       setEndUrgent(true);
       return worker_.post(SkipRefinement{});
     }
-    // That is how a person ends the scan of a camera.
+    // Users end the scan of a camera with Ctrl+C.
     if (isInterrupted() && is_live_) {
-      progress_.say("Stopping; Ctrl+C again skips the refinement.");
+      progress_.print("Stopping; Ctrl+C again skips the refinement.");
       return worker_.post(StopScan{});
     }
-    progress_.say("Stopping; writing what there is.");
+    progress_.print("Stopping and writing the results.");
     setEndUrgent(true);
     worker_.post(CloseScan{});  // without a refinement
   }
@@ -129,13 +130,13 @@ class Runner {
   bool is_live_ = false;
   bool is_refining_ = false;
   bool is_stopping_ = false;
-  ScanWorker worker_;  // last: its thread ends before the rest goes
+  ScanWorker worker_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace
 
 Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const ScanSnapshot&)>& watch) {
-  request.pictures = false;  // what is watched are numbers
+  request.pictures = false;  // `watch` gets no images
   listenForStop();
   return Runner(watch).run(std::move(request));
 }

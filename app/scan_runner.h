@@ -9,10 +9,10 @@
 
 namespace scantrove {
 
-/// Runs `request` to its end, or to the first Ctrl+C, with progress on stderr. Ctrl+C while objects are
-/// refined skips the rest of that; one that breaks a recording off, or any other signal, skips all of it.
-/// `watch` sees each snapshot that was not overtaken by a newer one; they are without cloud. Main thread;
-/// blocks. Error: why the scan could not start or go on.
+/// Runs `request` until its end or the first Ctrl+C, with progress on stderr. Ctrl+C during the refinement
+/// skips the rest of it. Any other signal, or Ctrl+C during a recording, skips the refinement completely.
+/// `watch` gets the newest snapshots, without point cloud. Main thread; blocks. Error: the scan could not
+/// start or continue.
 [[nodiscard]] Result<ScanReport> runToEnd(ScanRequest request,
                                           const std::function<void(const ScanSnapshot&)>& watch = {});
 

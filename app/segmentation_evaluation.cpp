@@ -10,7 +10,7 @@ namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kSeriesLength = 20;  // of thesis fig. 4.9
+constexpr std::size_t kSeriesLength = 20;  // frames in thesis fig. 4.9
 
 Json toJson(const SizedCoverage& sized) {
   return {{"instances", sized.instances}, {"coverage", sized.coverage}, {"over_half", sized.over_half}};
@@ -35,14 +35,14 @@ tl::unexpected<Error> nothingInCommon(const std::string& labels, const std::stri
               "Give two folders of PNGs named by frame, such as 000012.png.");
 }
 
-/// The three label images of a frame.
+/// Kinds of label images of a frame.
 enum Labels : std::size_t { kSingle, kMerged, kFinal, kKinds };
 constexpr std::array<const char*, kKinds> kFolders{"segments", "labels", "labels-final"};
 using FrameMetrics = std::array<SegmentationMetrics, kKinds>;
 
-/// Frames with a truth, each with its place among the frames that the scan merged, from 1.
+/// A frame with ground truth; `number` counts the frames that the scan merged, from 1.
 struct JudgedFrame {
-  std::size_t place = 0;
+  std::size_t number = 0;
   FrameMetrics metrics;
 };
 
@@ -53,21 +53,21 @@ Result<void> judgeScan(const JudgedScan& scan, const SegmentationMetricOptions& 
     std::error_code ignored;
     if (fs::is_directory(folder / name, ignored)) continue;
     return fail("The scan " + scan.scan + " has no folder " + name + ".",
-                "Scan with --label-maps, to the end.");
+                "Run the complete scan with --label-maps.");
   }
   const auto merged_images = numberedImages(folder / kFolders[kMerged]);
   if (!merged_images) return fail(merged_images.error());
   const auto truths = numberedImages(scan.truth);
   if (!truths) return fail(truths.error());
   const std::size_t before = frames.size();
-  std::size_t place = 0;
+  std::size_t merged_count = 0;
   for (const auto& [number, image] : *merged_images) {
-    ++place;
+    ++merged_count;
     const auto match = truths->find(number);
     if (match == truths->end()) continue;
     const auto truth = readLabelImage(match->second);
     if (!truth) return fail(truth.error());
-    JudgedFrame frame{place, {}};
+    JudgedFrame frame{merged_count, {}};
     for (const Labels kind : {kSingle, kMerged, kFinal}) {
       const auto metrics = evaluateLabelImage(folder / kFolders[kind] / image.filename(), *truth, options);
       if (!metrics) return fail(metrics.error());
@@ -86,21 +86,21 @@ SegmentationMetrics meanOf(const std::vector<JudgedFrame>& frames, Labels kind) 
   return averaged(all);
 }
 
-/// Null where nothing is to be divided by.
+/// Null if `to` is 0.
 Json ratio(double of, double to) { return to > 0 ? Json(of / to) : Json(); }
 
 Json seriesOverFrames(const std::vector<JudgedFrame>& frames) {
   Json series = Json::array();
   for (std::size_t n = 1; n <= kSeriesLength; ++n) {
-    std::vector<JudgedFrame> there;
+    std::vector<JudgedFrame> at_n;
     for (const JudgedFrame& frame : frames) {
-      if (frame.place == n) there.push_back(frame);
+      if (frame.number == n) at_n.push_back(frame);
     }
-    if (there.empty()) continue;
-    const SegmentationMetrics alone = meanOf(there, kSingle);
-    const SegmentationMetrics together = meanOf(there, kMerged);
+    if (at_n.empty()) continue;
+    const SegmentationMetrics alone = meanOf(at_n, kSingle);
+    const SegmentationMetrics together = meanOf(at_n, kMerged);
     series.push_back({{"n", n},
-                      {"images", there.size()},
+                      {"images", at_n.size()},
                       {"single", toJson(alone)},
                       {"merged", toJson(together)},
                       {"ratio", ratio(together.boundary_error, alone.boundary_error)}});
@@ -139,13 +139,13 @@ Result<Json> evaluateScans(const std::vector<JudgedScan>& scans, const Segmentat
   for (const JudgedScan& scan : scans) SCANTROVE_TRY(judgeScan(scan, options, frames));
   const SegmentationMetrics alone = meanOf(frames, kSingle);
   const SegmentationMetrics together = meanOf(frames, kMerged);
-  const SegmentationMetrics in_the_end = meanOf(frames, kFinal);
+  const SegmentationMetrics at_end = meanOf(frames, kFinal);
   return Json{{"images", frames.size()},
               {"single", toJson(alone)},
               {"merged", toJson(together)},
-              {"final", toJson(in_the_end)},
+              {"final", toJson(at_end)},
               {"ratio", ratio(together.boundary_error, alone.boundary_error)},
-              {"ratio_final", ratio(in_the_end.boundary_error, alone.boundary_error)},
+              {"ratio_final", ratio(at_end.boundary_error, alone.boundary_error)},
               {"over_frames", seriesOverFrames(frames)}};
 }
 

@@ -8,21 +8,19 @@
 
 namespace scantrove {
 
-/// Metrics of the label images in `estimate` that have one of the same number in `truth`: their mean, and
-/// each.
+/// Metrics of the label images in `estimate` that have an image of the same number in `truth`: mean and each.
 [[nodiscard]] Result<nlohmann::ordered_json> evaluateEstimate(const std::string& estimate,
                                                               const std::string& truth,
                                                               const SegmentationMetricOptions& options);
 
-/// A scan with label images, and the truth of its frames.
+/// Folders of a scan with label images and of its ground truth.
 struct JudgedScan {
   std::string scan;
   std::string truth;
 };
 
-/// Single frames, regions as known at each frame, and regions as known at the end of the same scans, over all
-/// frames that have a truth; and single and merged over the number of frames that had been merged (thesis
-/// fig. 4.9).
+/// Metrics over all frames with ground truth: of single frames, of regions as known at each frame, and of
+/// regions at the end of the scan. Also single and merged by the number of merged frames (thesis fig. 4.9).
 [[nodiscard]] Result<nlohmann::ordered_json> evaluateScans(const std::vector<JudgedScan>& scans,
                                                            const SegmentationMetricOptions& options);
 

@@ -31,7 +31,8 @@ std::optional<PixelOfFrame> parsePixel(const std::string& text, int frame) {
 Result<OpenSession::Place> placeOf(OpenSession& session, const std::string& text, int frame) {
   const auto pixel = parsePixel(text, frame);
   if (!pixel)
-    return fail("'" + text + "' is no pixel.", "Write N:x,y: frame, column, row, for example 120:320,200.");
+    return fail("'" + text + "' is not a pixel.",
+                "Write N:x,y (frame, column, row), for example 120:320,200.");
   return session.at(pixel->frame, pixel->x, pixel->y);
 }
 

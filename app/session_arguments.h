@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-/// Of `scantrove session ...`, all its commands.
+/// Arguments of all `scantrove session` commands.
 struct SessionArguments {
   std::string folder;
   std::string device;
@@ -24,7 +24,8 @@ struct SessionArguments {
   std::vector<std::string> here, there;
 };
 
-/// What a pixel shows: "N:x,y", or "x,y" of `frame`. Error: it is written otherwise, or as OpenSession::at().
+/// The region and point at a pixel, given as "N:x,y" or as "x,y" of `frame`. Error: another format, or as
+/// OpenSession::at().
 [[nodiscard]] Result<OpenSession::Place> placeOf(OpenSession& session, const std::string& text, int frame);
 
 }  // namespace scantrove

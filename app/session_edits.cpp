@@ -12,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-/// Says what an operation was about, by its regions as they are now.
+/// Prints the current numbers of the regions that an operation changed.
 Result<void> report(const Result<RegionEditor::Outcome>& outcome, const SessionArguments& arguments) {
   if (!outcome) return fail(outcome.error());
   Json regions = Json::array();
@@ -40,18 +40,18 @@ Operation operationOn(OperationKind kind, const SessionArguments& arguments) {
   return operation;
 }
 
-/// The session has it; that its catalogue has it not is worth a sentence, and no failure.
-void notifyCatalogue(OpenSession& session, const SessionArguments& arguments) {
+/// Applies the edit to the catalogue. A failure is only a warning, because the session holds the edit.
+void updateCatalogue(OpenSession& session, const SessionArguments& arguments) {
   if (arguments.without_catalogue || catalogueFileOf(session).empty()) return;
-  if (const Result<void> told = applyToCatalogue(session); !told)
-    std::cerr << "scantrove: The session has it, but not its catalogue: "
-              << forTerminal(told.error().message()) << '\n';
+  if (const Result<void> applied = applyToCatalogue(session); !applied)
+    std::cerr << "scantrove: The session was changed, but not its catalogue: "
+              << forTerminal(applied.error().message()) << '\n';
 }
 
-/// Error: fewer than `steps` operations are in that state. All steps are taken or none.
+/// Error: fewer than `steps` operations are in that state.
 Result<void> checkSteps(const OpenSession& session, OperationLog::State state, int steps, const char* verb) {
   const auto available = std::ranges::count(session.history().entries(), state, &OperationLog::Entry::state);
-  if (available == 0 || available >= steps) return {};  // for none, the operation itself has a message
+  if (available == 0 || available >= steps) return {};  // with none, the operation reports the error
   return fail(
       "Only " + std::to_string(available) + " of " + std::to_string(steps) + " operations can be " + verb +
           "; nothing was changed.",
@@ -62,7 +62,7 @@ Result<void> checkSteps(const OpenSession& session, OperationLog::State state, i
 
 Result<void> editSession(OpenSession& session, const SessionArguments& arguments, OperationKind kind) {
   Operation operation = operationOn(kind, arguments);
-  // A new name leaves the category alone unless one is given.
+  // A new name keeps the category unless a category is given.
   if (isNaming(kind) && !arguments.category && !trimmed(arguments.name).empty() && !operation.regions.empty())
     operation.category = session.noteOf(operation.regions.front()).category;
   for (const RegionId region : operation.regions) {
@@ -70,7 +70,7 @@ Result<void> editSession(OpenSession& session, const SessionArguments& arguments
       session.setMetadata(sessionOnlyKeyOf(region), arguments.without_catalogue ? operation.name : "");
   }
   const auto outcome = session.edit(operation);
-  if (outcome) notifyCatalogue(session, arguments);
+  if (outcome) updateCatalogue(session, arguments);
   return report(outcome, arguments);
 }
 
@@ -83,13 +83,12 @@ Result<void> cutRegion(OpenSession& session, const SessionArguments& arguments) 
       const auto place = placeOf(session, text, arguments.frame);
       if (!place) return fail(place.error());
       if (!place->region)
-        return fail("At " + text + " there is no region.", "Point at something that has one.");
+        return fail("There is no region at " + text + ".", "Give a pixel that shows a region.");
       if (operation.regions.empty()) operation.regions = {place->region};
       if (operation.regions.front() != place->region) {
-        return fail("At " + text + " there is region " + std::to_string(place->region.value) +
-                        ", not region " + std::to_string(operation.regions.front().value) +
-                        ": they are two already.",
-                    "Point at two places of one region.");
+        return fail("Region " + std::to_string(place->region.value) + " is at " + text + ", not region " +
+                        std::to_string(operation.regions.front().value) + ".",
+                    "Give points of one region.");
       }
       places->push_back(place->point_world);
     }
@@ -102,7 +101,7 @@ Result<void> undoEdits(OpenSession& session, const SessionArguments& arguments) 
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
   for (int i = 0; i < arguments.steps && outcome; ++i) {
     outcome = session.undo();
-    if (outcome) notifyCatalogue(session, arguments);
+    if (outcome) updateCatalogue(session, arguments);
   }
   return report(outcome, arguments);
 }
@@ -112,7 +111,7 @@ Result<void> redoEdits(OpenSession& session, const SessionArguments& arguments) 
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
   for (int i = 0; i < arguments.steps && outcome; ++i) {
     outcome = session.redo();
-    if (outcome) notifyCatalogue(session, arguments);
+    if (outcome) updateCatalogue(session, arguments);
   }
   return report(outcome, arguments);
 }

@@ -47,7 +47,7 @@ void printSession(const SessionSummary& session) {
             << inLine(session.source) << "  " << session.frames << " frames, " << session.regions
             << " regions, " << session.names.size() << " named, " << session.objects << " objects, "
             << std::fixed << std::setprecision(1) << session.megabytes << " MB"
-            << (session.in_use ? "  in use" : (session.ended ? "" : "  recovered: the scan broke off"))
+            << (session.in_use ? "  in use" : (session.ended ? "" : "  recovered after an interrupted scan"))
             << '\n';
   const char* separator = "    ";
   for (const std::string& name : session.names) std::cout << std::exchange(separator, ", ") << inLine(name);
@@ -77,7 +77,7 @@ Result<void> listAll(const SessionListCommand& command) {
 
 void addSessionList(CLI::App& parent, CommandOutcome& outcome) {
   auto command = std::make_shared<SessionListCommand>();
-  CLI::App* sub = parent.add_subcommand("list", "The sessions in a folder, newest first");
+  CLI::App* sub = parent.add_subcommand("list", "List the sessions in a folder, newest first");
   sub->add_option("DIR", command->folder, "folder with sessions (default: $XDG_DATA_HOME/scantrove/scans)");
   sub->add_flag("--json", command->json, "as JSON");
   sub->callback([command, &outcome] {

@@ -3,7 +3,7 @@
 
 namespace scantrove {
 
-/// Adds `list` to the subcommand `parent` ("session"): the sessions in a folder.
+/// Adds `session list`; `parent` is the `session` command.
 void addSessionList(CLI::App& parent, CommandOutcome& outcome);
 
 }  // namespace scantrove

@@ -12,10 +12,10 @@
 namespace scantrove {
 namespace {
 
-/// A place of the session in its recording's world.
-Json toJson(const Eigen::Vector3f& place, const Eigen::Vector3d& origin) {
-  if (origin.isZero(0)) return {place.x(), place.y(), place.z()};
-  return {place.x() + origin.x(), place.y() + origin.y(), place.z() + origin.z()};
+/// A point of the session in world coordinates of its recording.
+Json toJson(const Eigen::Vector3f& point, const Eigen::Vector3d& origin) {
+  if (origin.isZero(0)) return {point.x(), point.y(), point.z()};
+  return {point.x() + origin.x(), point.y() + origin.y(), point.z() + origin.z()};
 }
 
 Json toJson(const RegionSummary& region, const Eigen::Vector3d& origin) {
@@ -85,18 +85,18 @@ Result<void> showSession(OpenSession& session, const SessionArguments& arguments
     return {};
   }
   std::cout << "source      " << inLine(session.setup().source)
-            << (session.hasEnded() ? "" : "  (recovered: the scan broke off)");
+            << (session.hasEnded() ? "" : "  (recovered after an interrupted scan)");
   for (const SavedRecording& one : session.recordings()) {
     if (one.first_frame > 0) std::cout << ", then " << inLine(one.source);
   }
   std::cout << "\nframes      " << session.frames().size() << ", " << usable << " tracked, "
-            << session.keyFrames().size() << " kept as key frames\nmap         " << session.brickCount()
+            << session.keyFrames().size() << " key frames\nmap         " << session.brickCount()
             << " bricks\nregions     " << regions->size() << ", " << named << " named, " << objects
             << " objects\noperations  " << done << "\nrefined     "
-            << (session.canBeRefined() ? "no: 'scantrove session refine' does it" : "yes") << '\n';
+            << (session.canBeRefined() ? "no; run 'scantrove session refine'" : "yes") << '\n';
   if (!are_current.value_or(true))
-    std::cout << "files       cloud, labels.json and label images are from before the last edits; "
-                 "'scantrove export' writes them anew\n";
+    std::cout << "files       cloud, labels.json and label images are older than the last edits; "
+                 "'scantrove export' writes current ones\n";
   return {};
 }
 

@@ -3,7 +3,7 @@
 
 namespace scantrove {
 
-// What `scantrove session` prints of a session, as text or JSON.
+// Output of `scantrove session`, as text or JSON.
 
 /// Frames, map, regions, operations.
 [[nodiscard]] Result<void> showSession(OpenSession& session, const SessionArguments& arguments);

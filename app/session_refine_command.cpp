@@ -32,10 +32,10 @@ Result<bool> isRefinementPending(const std::string& folder) {
 Result<void> refine(const SessionRefineCommand& command) {
   const KernelCacheUse kernels;
   const CoreApplication qt;
-  const Result<bool> is_left = isRefinementPending(command.folder);
-  if (!is_left) return fail(is_left.error());
+  const Result<bool> is_pending = isRefinementPending(command.folder);
+  if (!is_pending) return fail(is_pending.error());
   ScanReport::Refinement refinement;
-  if (*is_left) {
+  if (*is_pending) {
     ScanRequest request;
     request.refine_session = true;
     request.output_folder = command.folder;
@@ -48,8 +48,8 @@ Result<void> refine(const SessionRefineCommand& command) {
     printJson({{"seconds", refinement.seconds},
                {"key_frames", refinement.key_frames},
                {"skipped", refinement.skipped}});
-  } else if (!*is_left) {
-    std::cout << "The scan has been refined already.\n";
+  } else if (!*is_pending) {
+    std::cout << "The scan is refined already.\n";
   } else {
     std::cout << (refinement.skipped ? "partly refined" : "refined") << " with " << refinement.key_frames
               << " key frames in " << std::fixed << std::setprecision(1) << refinement.seconds << " s\n";
@@ -61,9 +61,9 @@ Result<void> refine(const SessionRefineCommand& command) {
 
 void addSessionRefine(CLI::App& parent, CommandOutcome& outcome) {
   auto command = std::make_shared<SessionRefineCommand>();
-  CLI::App* sub =
-      parent.add_subcommand("refine", "Refine the objects of a scan whose refinement was skipped");
-  sub->add_option("DIR", command->folder, "the session: a folder that a scan was written to")->required();
+  CLI::App* sub = parent.add_subcommand(
+      "refine", "Refine the objects of a scan whose refinement was skipped or interrupted");
+  sub->add_option("DIR", command->folder, "folder of the session")->required();
   sub->add_flag("--json", command->json, "as JSON");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");

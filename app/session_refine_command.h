@@ -3,7 +3,7 @@
 
 namespace scantrove {
 
-/// `session refine`: the refinement of a scan that was skipped, or that broke off.
+/// Adds `session refine`, which does a refinement that was skipped or interrupted.
 void addSessionRefine(CLI::App& parent, CommandOutcome& outcome);
 
 }  // namespace scantrove

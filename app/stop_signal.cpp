@@ -12,7 +12,7 @@ namespace {
 std::atomic<bool> g_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free values");
 
-constexpr int kPatience_s = 4, kPatienceWithResults_s = 20;
+constexpr int kTimeout_s = 4, kTimeoutWithResults_s = 20;
 std::atomic<int> g_stopped_by{0};
 std::atomic<int> g_waited_s{0};
 std::atomic<AtStop> g_at_stop{AtStop::nothing};
@@ -25,25 +25,25 @@ extern "C" void onStopSignal(int signal) {
 }
 
 template <std::size_t kSize>
-void say(const char (&message)[kSize]) {
+void print(const char (&message)[kSize]) {
   static_cast<void>(!write(STDERR_FILENO, message, kSize - 1));
 }
 
 extern "C" void onSecond(int) {
   const AtStop stage = g_at_stop;
-  if (++g_waited_s < (stage == AtStop::results ? kPatienceWithResults_s : kPatience_s)) {
+  if (++g_waited_s < (stage == AtStop::results ? kTimeoutWithResults_s : kTimeout_s)) {
     alarm(1);
     return;
   }
   switch (stage) {
     case AtStop::nothing:
-      say("scantrove: Stopped while it was busy; there were no results to write.\n");
+      print("scantrove: Stopped before there were results to write.\n");
       break;
     case AtStop::unfinished:
-      say("scantrove: Stopped while it was busy; what had been written by then stays.\n");
+      print("scantrove: Stopped before the end; files written so far remain.\n");
       break;
     case AtStop::results:
-      say("scantrove: Stopped while it wrote results, which took too long; they are not complete.\n");
+      print("scantrove: Stopped while writing results; they are incomplete.\n");
       break;
   }
   std::signal(g_stopped_by, SIG_DFL);

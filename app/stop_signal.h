@@ -2,26 +2,25 @@
 
 namespace scantrove {
 
-/// Turns the first Ctrl+C (SIGINT), SIGTERM or SIGHUP (the terminal was closed) into a request to stop; a
-/// second one of its kind ends the program at once. A SIGHUP that is ignored already (nohup) stays so. From
-/// then on nobody reading the output any more does not end the program either. The signal ends the program
-/// itself where the request is not met within 4 s; while results are being written, within 20 s.
+/// Turns the first Ctrl+C (SIGINT), SIGTERM or SIGHUP (closed terminal) into a stop request. A second signal
+/// of the same kind ends the program at once. An ignored SIGHUP (nohup) stays ignored. SIGPIPE is ignored
+/// from then on. If the program does not stop within 4 s (20 s while it writes results), the signal ends it.
 void listenForStop();
 
-/// Whether a stop was requested since. Any thread.
+/// Whether a stop was requested. Any thread.
 [[nodiscard]] bool stopRequested();
 
-/// A stop was requested by Ctrl+C, which a person may press once to end a camera's scan and once more to skip
-/// what follows it. Any thread.
+/// Whether Ctrl+C requested the stop. The first ends the scan of a camera, the second skips its refinement.
+/// Any thread.
 [[nodiscard]] bool isInterrupted();
 
-/// The request is met, and there is something else to stop: waits for another one, as listenForStop() does.
+/// Clears the request and listens for the next one.
 void listenForStopAgain();
 
-/// What is lost where the request is not met in time.
+/// What is lost if the program does not stop in time.
 enum class AtStop {
   nothing,     ///< there are no results yet
-  unfinished,  ///< what is on the disk by then stays
+  unfinished,  ///< data on the disk stays
   results,     ///< they are being written
 };
 /// Any thread. AtStop::nothing at first.

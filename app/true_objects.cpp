@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFramesApart = 10;    // that sizes are measured in
-constexpr int kPointsAFrame = 400;  // of each object, at most about so many
+constexpr int kFramesApart = 10;    // between frames used to measure sizes
+constexpr int kPointsAFrame = 400;  // approximate maximum per object and frame
 
-/// Fills names, objects and the extents that are given. False: there is no such file.
+/// Fills names, objects and given extents. False: the file does not exist.
 Result<bool> readInstances(const fs::path& file, TrueScene& scene) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return false;
@@ -32,7 +32,7 @@ Result<bool> readInstances(const fs::path& file, TrueScene& scene) {
     }
   } catch (const nlohmann::json::exception& exception) {
     return fail(
-        file.string() + " is no list of instances: " + exception.what() + ".",
+        file.string() + " is not a list of instances: " + exception.what() + ".",
         R"(It is a list of {"id": 7, "name": "mug", "object": true}, as 'scantrove record' writes it.)");
   }
   return true;
@@ -59,7 +59,7 @@ void addPoints(const RgbdFrame& frame, const Intrinsics& K, const cv::Mat& insta
   }
 }
 
-/// Extents of the objects that have none, from every tenth frame of the recording.
+/// Measures missing extents of objects in every tenth frame of the recording.
 Result<void> measureExtents(const fs::path& folder, TrueScene& scene) {
   std::map<int, std::vector<Eigen::Vector3f>> points;
   for (const auto& [id, object] : scene.objects) {
@@ -97,7 +97,7 @@ Result<TrueScene> readTrueScene(const fs::path& folder, const std::function<bool
   SCANTROVE_TRY(moveInto(scene.images, numberedImages(folder)));
   std::erase_if(scene.images, [&](const auto& image) { return !isScanned(image.first); });
   if (scene.images.empty()) {
-    return fail("No instance image in " + folder.string() + " is of a frame of the scan.",
+    return fail("No instance image in " + folder.string() + " belongs to a frame of the scan.",
                 "Give the truth of the recording that was scanned.");
   }
   const Result<bool> listed = readInstances(folder / "instances.json", scene);

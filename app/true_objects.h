@@ -10,17 +10,17 @@
 
 namespace scantrove {
 
-/// Who is who in the instance images of a recording.
+/// Ground truth of a recording: instance images and their objects.
 struct TrueScene {
-  NumberedImages images;  ///< of the frames that count
+  NumberedImages images;  ///< of the scanned frames
   std::map<int, TrueObject> objects;
-  std::map<int, std::string> names;  ///< of all instances that have one
+  std::map<int, std::string> names;  ///< of all named instances
 };
 
-/// Reads instances.json of a recording's folder; without it every instance is an object. Looks through the
-/// instance images of the frames that `isScanned` holds of, for how often each object is seen. Sizes that
-/// instances.json does not give come from depth and poses. Error: names the file; no frame is left; a size is
-/// missing and the folder is no recording with poses.
+/// Reads instances.json of a recording; without it every instance is an object. Counts how often each object
+/// is visible in the instance images of scanned frames. Measures sizes missing in instances.json from depth
+/// and poses. Error: a file is invalid (the message names it); no frame was scanned; a size is missing and
+/// the folder has no depth and poses.
 [[nodiscard]] Result<TrueScene> readTrueScene(const std::filesystem::path& folder,
                                               const std::function<bool(long)>& isScanned);
 

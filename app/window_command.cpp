@@ -6,12 +6,12 @@
 namespace scantrove {
 namespace {
 
-/// A word that is neither a command nor a source was a slip of the finger: it should not open a window.
+/// A word that is neither a command nor a source is a typing error and must not open a window.
 std::string checkSource(const std::string& source) {
   const auto names = [&](const std::string& kind) {
     return source == kind || source.starts_with(kind + ":");
   };
-  std::error_code error;  // of a link that leads nowhere: opening it says so
+  std::error_code error;  // for example a dangling link, which openSource() reports
   if (names("demo") || names("camera") || names("freenect") || std::filesystem::exists(source, error) ||
       error)
     return {};
@@ -34,14 +34,14 @@ bool readSize(const std::string& text, int& width, int& height) {
 void WindowCommand::addTo(CLI::App& app) {
   app.add_option("SOURCE", scan_.source, kSourceHelp)->check(CLI::Validator(checkSource, ""));
   scan_.addTo(app);
-  app.add_option("--database", database_, "catalogue (default: your own, in $XDG_DATA_HOME)")
+  app.add_option("--database", database_, "catalogue (default: $XDG_DATA_HOME/scantrove/catalogue.sqlite)")
       ->type_name("FILE");
-  app.add_flag("--paused", paused_, "wait for Space before the first frame");
-  app.add_flag("--present", present_, "full screen, in a loop, for people to look at; Escape leaves");
-  app.add_option("--theme", theme_, "as last time without it")
+  app.add_flag("--paused", paused_, "start paused; Space resumes");
+  app.add_flag("--present", present_, "presentation mode: full screen, in a loop; Escape ends it");
+  app.add_option("--theme", theme_, "theme (default: as last time)")
       ->check(CLI::IsMember({"dark", "light"}))
       ->type_name("dark|light");
-  app.add_option("--window-size", size_, "in pixels")->type_name("WxH");
+  app.add_option("--window-size", size_, "size of the window in pixels")->type_name("WxH");
   app.add_option("--screenshot", screenshot_,
                  "when SOURCE ends, save a picture of the window in this new file and quit")
       ->check(CLI::NonexistentPath)

@@ -10,10 +10,10 @@ namespace scantrove {
 /// `scantrove [SOURCE]` without a command: the window.
 class WindowCommand {
  public:
-  /// Adds the options to the program itself.
+  /// Adds the options to `app`.
   void addTo(CLI::App& app);
 
-  /// What they ask for. Throws CLI::ValidationError (wrong usage) with what is wrong.
+  /// Throws CLI::ValidationError (wrong usage).
   [[nodiscard]] WindowOptions toOptions() const;
 
  private:

@@ -28,7 +28,7 @@ bool isSet(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
-/// VTK's OpenGL loader needs GLX, so on a Wayland desktop the window goes through X.
+/// VTK's OpenGL loader needs GLX, so a Wayland desktop uses X.
 void choosePlatform() {
   if (!isSet("QT_QPA_PLATFORM") && isSet("WAYLAND_DISPLAY") && isSet("DISPLAY")) {
     qputenv("QT_QPA_PLATFORM", "xcb");
@@ -45,7 +45,7 @@ void applyTheme(const std::string& requested) {
   Theme::instance().choose(choice);
 }
 
-/// When the scan has ended, shows the newest object's views, lets all be drawn, saves the picture and quits.
+/// When the scan ends, selects the newest object, waits until it is drawn, saves a picture and quits.
 void takePictureAtEnd(MainWindow& window, const QString& file) {
   const auto save = [&window, file](int exit_code) {
     window.parts().objects->list()->selectNewest();
@@ -73,13 +73,13 @@ void takePictureAtEnd(MainWindow& window, const QString& file) {
 int runWindow(int& argc, char** argv, const WindowOptions& options) {
   choosePlatform();
   if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("QT_QPA_PLATFORM")) {
-    std::cerr << "scantrove: There is no display to show the window on. "
-                 "Scan without it: scantrove scan SOURCE --out DIR\n";
+    std::cerr << "scantrove: There is no display for the window. "
+                 "To scan without a window: scantrove scan SOURCE --out DIR\n";
     return kJobFailed;
   }
   const KernelCacheUse kernels;
   QApplication application(argc, argv);
-  // QApplication sets the person's locale; numbers in files stay as the standard says.
+  // QApplication sets the user's locale; files need the C number format.
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));
   QApplication::setApplicationName(QStringLiteral("scantrove"));

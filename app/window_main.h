@@ -3,8 +3,8 @@
 
 namespace scantrove {
 
-/// Shows the window and returns when it is closed: the process' exit code. 1 when there is no display, or
-/// when the scan that a screenshot was asked of failed.
+/// Shows the window until it is closed. Result: the exit code; 1 if there is no display or the scan for a
+/// screenshot failed.
 int runWindow(int& argc, char** argv, const WindowOptions& options);
 
 }  // namespace scantrove

@@ -19,7 +19,7 @@ TEST(FirstRun, SaysThatItPreparesTheProcessorAndNothingOfTheCompiler) {
     return run.err;
   };
   const std::string first = scan("first");
-  EXPECT_THAT(first, HasSubstr("Preparing the processor (once).\n"));
+  EXPECT_THAT(first, HasSubstr("Preparing the OpenCL device (once).\n"));
   EXPECT_EQ(first.find("Preparing"), first.rfind("Preparing")) << "said more than once";
   EXPECT_THAT(first, Not(HasSubstr("generated")));
   EXPECT_THAT(scan("second"), Not(HasSubstr("Preparing")));

@@ -212,7 +212,7 @@ TEST_F(Session, ANameHoldsWithoutTheCatalogue) {
     fs::remove(scan_ / file);
   const Finished named = tell({"name", "--region", region, "--name", "mug"});
   EXPECT_EQ(named.exit_code, 0);
-  EXPECT_THAT(named.err, testing::AllOf(testing::StartsWith("scantrove: The session has it, but not"),
+  EXPECT_THAT(named.err, testing::AllOf(testing::StartsWith("scantrove: The session was changed, but not"),
                                         testing::HasSubstr(catalogue)));
   EXPECT_EQ(std::count(named.err.begin(), named.err.end(), '\n'), 1);
   EXPECT_FALSE(fs::exists(catalogue)) << "none is made";

@@ -69,6 +69,6 @@ PYTHON
 holds "files number regions as the session" numbers
 holds "the cloud says of when it is" grep -qa "as the scan ended" scan/cloud.ply
 succeeds "an edit" "$program" session background scan "$region"
-says "files from before an edit are told" "before the last edits" "$program" session show scan
+says "files from before an edit are told" "older than the last edits" "$program" session show scan
 
 finish

@@ -50,7 +50,7 @@ Presentation::Presentation(MainWindow& window)
   bridge.on<ObjectRecognized>(this, [this](const ObjectRecognized& known) {
     say(tr("Recognised: %1").arg(QString::fromStdString(known.name)));
   });
-  bridge.on<PreparingDevice>(this, [this] { say(tr("Preparing the processor (once)")); });
+  bridge.on<PreparingDevice>(this, [this] { say(tr("Preparing the OpenCL device (once)")); });
   bridge.on<StateChanged>(this, [this] {
     if (is_on_) hideOthers();
     removeEndedCatalogues();

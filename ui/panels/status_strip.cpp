@@ -134,7 +134,7 @@ void StatusStrip::clearSpeed() {
 
 QString StatusStrip::stateText() const {
   const bool is_running = state_ == ScanState::starting || state_ == ScanState::scanning;
-  if (is_running && is_preparing_) return tr("Preparing the processor (once)");
+  if (is_running && is_preparing_) return tr("Preparing the OpenCL device (once)");
   if (state_ == ScanState::scanning && has_pose_) return trackingInWords(tracking_);
   if (state_ == ScanState::refining && !refinement_.isEmpty()) return refinement_;
   return stateInWords(state_);

@@ -280,9 +280,9 @@ TEST(StatusStrip, SaysThatTheProcessorIsPreparedUntilTheFirstFrame) {
   strip.showState(ScanState::starting);
   EXPECT_EQ(strip.stateText(), QStringLiteral("Starting…"));
   strip.showPreparing();
-  EXPECT_TRUE(strip.stateText().startsWith(QStringLiteral("Preparing the processor")));
+  EXPECT_TRUE(strip.stateText().startsWith(QStringLiteral("Preparing the OpenCL device")));
   strip.showState(ScanState::scanning);
-  EXPECT_TRUE(strip.stateText().startsWith(QStringLiteral("Preparing the processor")));
+  EXPECT_TRUE(strip.stateText().startsWith(QStringLiteral("Preparing the OpenCL device")));
   ScanSnapshot snapshot;
   snapshot.frame_index = 0;
   snapshot.pose.state = TrackingState::tracking;
