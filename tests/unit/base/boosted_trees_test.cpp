@@ -11,7 +11,7 @@ using testing::HasSubstr;
 
 constexpr std::array<std::string_view, 2> kFeatures{"size", "color"};
 
-/// The root asks for the size, its children for the color; leaves say 1, 2, 4 and 8 from left to right.
+/// The root tests the size, its children test the color; the leaves are 1, 2, 4 and 8 from left to right.
 constexpr std::string_view kModel = R"({"features": ["size", "color"], "medians": {"color": 3}, "prior": 100,
   "levels": 2, "trees": [[0, 0.5, 1, 10, 1, -10, 1, 2, 4, 8], [0, 1e30, 0, 0, 0, 0, 16, 16, 32, 32]]})";
 
@@ -32,19 +32,19 @@ float logOdds(float size, float color) {
   return trees.value().logOdds(features);
 }
 
-TEST(BoostedTrees, GoLeftUpToTheLimitAndRightBeyond_AndAddUp) {
-  EXPECT_EQ(logOdds(0.5F, 10), 100 + 1 + 16) << "the limits themselves";
+TEST(BoostedTrees, SumLeaves_LeftUpToTheLimitAndRightBeyond) {
+  EXPECT_EQ(logOdds(0.5F, 10), 100 + 1 + 16) << "values equal to the limits";
   EXPECT_EQ(logOdds(0, 10.5F), 100 + 2 + 16);
   EXPECT_EQ(logOdds(0.6F, -10), 100 + 4 + 16);
   EXPECT_EQ(logOdds(0.6F, -9), 100 + 8 + 16);
 }
 
-TEST(BoostedTrees, TakeTheMedian_WhereAFeatureIsUnknown) {
+TEST(BoostedTrees, UseTheMedian_WhenAFeatureIsUnknown) {
   EXPECT_EQ(logOdds(0, kUnknownFeature), logOdds(0, 3));
   EXPECT_EQ(logOdds(1, kUnknownFeature), logOdds(1, 3));
 }
 
-TEST(BoostedTrees, NameTheFileAndTheFeature_WhereTheProgramHasAnother) {
+TEST(BoostedTrees, NameFileAndFeature_WhenTheProgramComputesAnother) {
   EXPECT_EQ(errorOf(std::string(kModel), std::array<std::string_view, 2>{"size", "colour"}),
             "The model models/toy.json cannot be used: its feature 2 is 'color', and the program computes "
             "'colour'. Train it anew, see tools/train/README.md.");
@@ -54,7 +54,7 @@ TEST(BoostedTrees, NameTheFileAndTheFeature_WhereTheProgramHasAnother) {
               HasSubstr("its feature 3 is no more, and the program computes 'fill'"));
 }
 
-TEST(BoostedTrees, AreRefused_WhereTheFileIsDamaged) {
+TEST(BoostedTrees, AreRefused_WhenTheFileIsDamaged) {
   EXPECT_THAT(errorOf(changed("8], [", "], [")), HasSubstr("cannot be used"));
   EXPECT_THAT(errorOf(changed(", 8]", "]")), HasSubstr("tree 0 holds 9 numbers"));
   EXPECT_THAT(errorOf(changed("[[0, 0.5", "[[2, 0.5")), HasSubstr("asks for feature 2"));

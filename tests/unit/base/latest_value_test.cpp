@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-TEST(LatestValue, GivesTheNewestOnce) {
+TEST(LatestValue, ReturnsTheNewestOnce) {
   LatestValue<int> box;
   EXPECT_TRUE(box.empty());
   EXPECT_EQ(box.collect(), nullptr);
@@ -22,7 +22,7 @@ TEST(LatestValue, GivesTheNewestOnce) {
   EXPECT_EQ(box.collect(), nullptr);
 }
 
-TEST(LatestValue, DropsWhatWasReplaced) {
+TEST(LatestValue, ReleasesAValue_WhenItIsReplaced) {
   LatestValue<int> box;
   const auto first = std::make_shared<const int>(1);
   box.post(first);
@@ -31,7 +31,7 @@ TEST(LatestValue, DropsWhatWasReplaced) {
   EXPECT_EQ(first.use_count(), 1);
 }
 
-TEST(LatestValue, AReaderOnAnotherThreadSeesValuesInOrderAndTheLastOne) {
+TEST(LatestValue, ReturnsValuesInOrderUpToTheLast_ToAnotherThread) {
   constexpr int kLast = 20000;
   LatestValue<int> box;
   std::atomic<bool> done{false};
@@ -54,19 +54,19 @@ TEST(LatestValue, AReaderOnAnotherThreadSeesValuesInOrderAndTheLastOne) {
   EXPECT_EQ(seen, kLast);
 }
 
-TEST(LatestValue, NeverGivesOneValueToTwoReaders) {
+TEST(LatestValue, NeverReturnsAValueTwice_ToTwoReaders) {
   constexpr int kLast = 5000;
   LatestValue<int> box;
   std::atomic<int> collected{0};
   std::atomic<bool> done{false};
-  std::atomic<int> given_twice{0};
+  std::atomic<int> returned_twice{0};
   std::vector<std::atomic<int>> times(kLast + 1);
   {
     const auto read = [&] {
       while (!done || !box.empty()) {
         if (const auto value = box.collect()) {
           ++collected;
-          if (++times[static_cast<std::size_t>(*value)] > 1) ++given_twice;
+          if (++times[static_cast<std::size_t>(*value)] > 1) ++returned_twice;
         }
       }
     };
@@ -74,7 +74,7 @@ TEST(LatestValue, NeverGivesOneValueToTwoReaders) {
     for (int i = 1; i <= kLast; ++i) box.post(std::make_shared<const int>(i));
     done = true;
   }
-  EXPECT_EQ(given_twice, 0);
+  EXPECT_EQ(returned_twice, 0);
   EXPECT_GE(collected, 1);
   EXPECT_EQ(times.back(), 1);
 }

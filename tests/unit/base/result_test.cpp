@@ -29,14 +29,14 @@ TEST(Result, HoldsTheValue) {
   EXPECT_EQ(*result, 3);
 }
 
-TEST(Result, ErrorSaysWhatHappenedAndWhatToDo) {
+TEST(Result, ErrorMessageHasCauseAndAdvice) {
   const Result<int> result = half(7);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().message(), "7 is odd. Take an even number.");
   EXPECT_EQ((Error{"Only this.", ""}.message()), "Only this.");
 }
 
-TEST(Result, TryLeavesAtTheFirstFailureWithItsError) {
+TEST(Result, TryReturnsTheFirstError) {
   int steps = 0;
   EXPECT_TRUE(halveTwice(12, steps));
   EXPECT_EQ(steps, 2);
@@ -47,7 +47,7 @@ TEST(Result, TryLeavesAtTheFirstFailureWithItsError) {
   EXPECT_EQ(result.error().what, "3 is odd.");
 }
 
-TEST(Result, AnErrorPassesThroughResultsOfOtherTypes) {
+TEST(Result, ErrorConvertsToResultsOfOtherTypes) {
   const auto caller = []() -> Result<std::string> {
     const Result<int> result = half(5);
     if (!result) return fail(result.error());
@@ -56,12 +56,12 @@ TEST(Result, AnErrorPassesThroughResultsOfOtherTypes) {
   EXPECT_EQ(caller().error().advice, "Take an even number.");
 }
 
-TEST(CheckDeathTest, StopsWithConditionAndPlace) {
+TEST(CheckDeathTest, AbortsWithConditionFileAndLine) {
   EXPECT_DEATH(SCANTROVE_CHECK(1 + 1 == 3),
                "internal error: 1 \\+ 1 == 3 does not hold at .*result_test.cpp");
 }
 
-TEST(Ids, AreTypesOfTheirOwn) {
+TEST(Ids, AreDistinctTypes) {
   static_assert(!std::is_convertible_v<RegionId, ObjectId>);
   static_assert(!std::is_convertible_v<std::uint32_t, RegionId>);
   EXPECT_FALSE(RegionId{});

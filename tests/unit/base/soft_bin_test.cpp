@@ -5,14 +5,14 @@
 namespace scantrove {
 namespace {
 
-TEST(SoftBin, SharesAValueBetweenTheTwoNearestBins) {
+TEST(SoftBin, DistributesAValueToTheTwoNearestBins) {
   const SoftBin bin = SoftBin::at(2.25F, 5);
   EXPECT_EQ(bin.bin, 2U);
   EXPECT_FLOAT_EQ(bin.lower, 0.75F);
   EXPECT_FLOAT_EQ(bin.upper, 0.25F);
 }
 
-TEST(SoftBin, ValuesBeyondTheEndsCountInTheLastBins) {
+TEST(SoftBin, ClampsValues_BeyondTheEnds) {
   const SoftBin below = SoftBin::at(-3, 5), above = SoftBin::at(9, 5);
   EXPECT_EQ(below.bin, 0U);
   EXPECT_EQ(below.lower, 1);

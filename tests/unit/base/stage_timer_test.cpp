@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-TEST(Summarise, TakesTheNearestRank) {
+TEST(Summarize, ReturnsTheNearestRank) {
   EXPECT_EQ(summarize({}).median_ms, 0);
   EXPECT_EQ(summarize({7}).median_ms, 7);
   EXPECT_EQ(summarize({7}).p95_ms, 7);
@@ -18,7 +18,7 @@ TEST(Summarise, TakesTheNearestRank) {
   EXPECT_EQ(summarize(hundred).p95_ms, 95);
 }
 
-TEST(StageTimer, KeepsStagesInCallOrderAndAddsPiecesOfAFrame) {
+TEST(StageTimer, KeepsCallOrderAndSumsTimesOfAFrame) {
   StageTimer timer;
   timer.add("track", 3);
   timer.add("fuse", 5);
@@ -33,7 +33,7 @@ TEST(StageTimer, KeepsStagesInCallOrderAndAddsPiecesOfAFrame) {
   EXPECT_EQ(timer.stages()[1].last_ms, 1);
 }
 
-TEST(StageTimer, KeepsFewOfALongScanEvenlySpread) {
+TEST(StageTimer, KeepsEvenlySpacedFrames_WhenTheScanIsLong) {
   StageTimer timer;
   constexpr std::size_t kFrames = 5 * StageTimer::kMaxFrames + 3;
   for (std::size_t frame = 0; frame < kFrames; ++frame) {
@@ -46,21 +46,21 @@ TEST(StageTimer, KeepsFewOfALongScanEvenlySpread) {
   EXPECT_EQ(fuse.last_ms, kFrames - 1.0);
   EXPECT_EQ(fuse.runs, kFrames);
   EXPECT_EQ(fuse.every, 8U);
-  ASSERT_EQ(fuse.all_ms.size(), (kFrames + 7) / 8) << "every eighth, the first included";
+  ASSERT_EQ(fuse.all_ms.size(), (kFrames + 7) / 8) << "every eighth from the first on";
   ASSERT_EQ(fuse.frames.size(), fuse.all_ms.size());
   for (std::size_t i = 0; i < fuse.frames.size(); ++i) {
     EXPECT_EQ(fuse.frames[i], 8 * i);
     EXPECT_EQ(fuse.all_ms[i], 8.0 * static_cast<double>(i));
   }
   EXPECT_NEAR(summarize(fuse.all_ms).p95_ms, 0.95 * kFrames, 8);
-  EXPECT_EQ(keep.all_ms.size(), kFrames / 10) << "what runs seldom is all there";
+  EXPECT_EQ(keep.all_ms.size(), kFrames / 10) << "a rare stage keeps all its times";
 }
 
-TEST(SlowestFrames, NameTheStageThatIsFarthestAboveItsMedian) {
+TEST(SlowestFrames, NameTheStageFarthestAboveItsMedian) {
   StageTimer timer;
   for (int frame = 0; frame < 9; ++frame) {
     timer.add("fuse", frame == 4 ? 12 : 10);
-    if (frame != 2) timer.add("track", frame == 4 ? 9 : frame == 7 ? 4 : 3);  // lost in frame 2
+    if (frame != 2) timer.add("track", frame == 4 ? 9 : frame == 7 ? 4 : 3);  // tracking is lost in frame 2
     timer.endFrame();
   }
   const std::vector<SlowFrame> slowest = slowestFrames(timer.stages(), 2);
@@ -75,7 +75,7 @@ TEST(SlowestFrames, NameTheStageThatIsFarthestAboveItsMedian) {
   EXPECT_TRUE(slowestFrames({}, 3).empty());
 }
 
-TEST(StageTimer, HandsBackTheResultOfTheWork) {
+TEST(StageTimer, ReturnsTheResultOfTheWork) {
   StageTimer timer;
   EXPECT_EQ(timer.time("add", [] { return 1 + 2; }), 3);
   timer.time("nothing", [] {});

@@ -77,7 +77,7 @@ class WithoutPrivileges {
  public:
   WithoutPrivileges() {
     constexpr uid_t kNobody = 65534;
-    if (was_root_ && seteuid(kNobody) != 0) throw std::runtime_error("cannot become somebody else");
+    if (was_root_ && seteuid(kNobody) != 0) throw std::runtime_error("cannot change the user");
   }
   WithoutPrivileges(const WithoutPrivileges&) = delete;
   WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
@@ -100,7 +100,7 @@ TEST(BadInput, ReportsPermission_WhenTheFolderIsUnreadable) {
   for (const fs::path& open : {folder.path(), folder / "open"}) fs::permissions(open, kForAll);
   fs::permissions(folder / "closed", fs::perms::none);
   {
-    const WithoutPrivileges somebody;
+    const WithoutPrivileges unprivileged;
     EXPECT_THAT(openError(folder / "closed"), AllOf(HasSubstr("closed"), HasSubstr("ermission")));
     EXPECT_THAT(openError(folder / "open"), Not(HasSubstr("ermission"))) << "this one is readable";
   }

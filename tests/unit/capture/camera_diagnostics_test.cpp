@@ -183,7 +183,7 @@ TEST(CameraDiagnostics, ReportsPermission_WhenTheNodeIsReadOnly) {
 TEST(CameraDiagnostics, AdvisesTheGroup_WhenAGroupMayOpenTheNode) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can give a file to another group";
   const group* const plugdev = getgrnam("plugdev");
-  if (plugdev == nullptr) GTEST_SKIP() << "there is no group plugdev here";
+  if (plugdev == nullptr) GTEST_SKIP() << "this computer has no group plugdev";
   const Computer computer;
   computer.plug(kXtion, fs::perms(0660));
   ASSERT_EQ(chown(computer.nodeOf(5).c_str(), 0, plugdev->gr_gid), 0);

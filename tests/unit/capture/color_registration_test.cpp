@@ -95,7 +95,8 @@ TEST(SevenScenes, UsesItsKinectsColorCamera_WhenIntrinsicsAreIts) {
 
   SourceOptions options;
   options.intrinsics = Intrinsics{60, 60, 32, 24, 0, 0};
-  EXPECT_FALSE(colorCameraOf(folder.path(), options)) << "no file: what is given says which camera it is";
+  EXPECT_FALSE(colorCameraOf(folder.path(), options))
+      << "without a file, given intrinsics may be another camera's";
   options.intrinsics = Intrinsics{585, 585, 320, 240, 0, 0};
   folder.write("camera-intrinsics.txt", "585 0 320\n0 585 240\n0 0 1\n");
   options.intrinsics = Intrinsics{58, 58, 32, 24, 0, 0};

@@ -200,11 +200,11 @@ TEST(NumberedFolder, ExplainsPairing_WhenNothingPairs) {
 }
 
 TEST(Intrinsics, ReadsCamKFile_WhenInTheFolderOrItsParent) {
-  for (const char* const place : {"recording/cam_K.txt", "cam_K.txt"}) {
-    SCOPED_TRACE(place);
+  for (const char* const name : {"recording/cam_K.txt", "cam_K.txt"}) {
+    SCOPED_TRACE(name);
     const TemporaryFolder folder;
     writeNumberedFolder(folder / "recording", 0, 1);
-    folder.write(place, "5.1e+01 0 3.1e+01\n0 5.2e+01 2.3e+01\n0 0 1\n");
+    folder.write(name, "5.1e+01 0 3.1e+01\n0 5.2e+01 2.3e+01\n0 0 1\n");
     const CapturedLog log;
     const auto source = openSource((folder / "recording").string(), {});
     ASSERT_TRUE(source) << source.error().message();

@@ -20,7 +20,7 @@ ColorChanges changesOf(const PaintedScene& scene, const RegionSet& regions) {
   return colorChangesOf(pixels, SetAxes(pixels, extent), input);
 }
 
-/// A grey thing with a red part.
+/// A grey object with a red part.
 PaintedScene with(const cv::Rect& red) {
   PaintedScene scene;
   scene.paint(7, kBar, [](int, int) { return 1.5F; });
@@ -43,12 +43,12 @@ TEST(ColorChanges, ChangesAreZero_WithOneColor) {
 }
 
 TEST(ColorChanges, ContrastIsAlongTheAxis_ForTwoObjectsInARow) {
-  // At a third of the length: halves would be alike in part.
+  // The border is at a third of the length, so equal halves would share a colour.
   const PaintedScene scene = with({kBar.x, kBar.y, 21, kBar.height});
   const ColorChanges changes = changesOf(scene, kBoth);
-  EXPECT_GT(changes.along.contrast, 0.7F) << "but for the rows at the outline";
+  EXPECT_GT(changes.along.contrast, 0.7F) << "except for rows at the outline";
   EXPECT_LT(changes.along.likeness, 0.05F);
-  EXPECT_LT(changes.across.contrast, 0.15F) << "on the way across the colour stays";
+  EXPECT_LT(changes.across.contrast, 0.15F) << "across the axis the colour is constant";
   EXPECT_GT(changes.across.likeness, 0.9F);
 }
 

@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-/// A mug on a table, seen from nearby.
+/// A mug on a table, nearby.
 ObjectnessEvidence mug() {
   ObjectnessEvidence evidence;
   evidence.pixels = 1500;
@@ -83,7 +83,7 @@ TEST(ObjectnessEvidence, BoundsAreFeatures) {
 }
 
 TEST(ObjectnessEvidence, IsLessLikely_WhenABooksSpineHasNoBounds) {
-  // What bulges and stands free is clear anyway.
+  // Bounds matter little for objects that bulge and stand free.
   ObjectnessEvidence evidence = mug();
   evidence.open = 0.15F;
   evidence.hidden = 0.3F;
@@ -92,7 +92,7 @@ TEST(ObjectnessEvidence, IsLessLikely_WhenABooksSpineHasNoBounds) {
   evidence.known_size_m = {0.2F, 0.05F, 0.02F};
   const float bounded = evidence.logOdds();
   evidence.bounds = {.mean = 0.6F, .least_side = 0.1F};
-  EXPECT_LT(evidence.logOdds(), bounded - 0.5F) << "a piece of something";
+  EXPECT_LT(evidence.logOdds(), bounded - 0.5F) << "part of an object";
 }
 
 TEST(ObjectnessEvidence, OutwardOddsAreLimited) {

@@ -20,7 +20,7 @@ OutlineBounds boundsOf(const PaintedScene& scene, const RegionSet& regions) {
   return outlineBoundsOf(pixels, SetAxes(pixels, extent), input);
 }
 
-// Each mean counts three steps more that say neither.
+// Each mean includes three neutral steps.
 TEST(OutlineBounds, AllSidesAreBounded_InFrontOfAWall) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 1.5F; });
@@ -51,7 +51,7 @@ TEST(OutlineBounds, LeastSideIsTowardsTheOtherHalf_OfOneObject) {
   const OutlineBounds both = boundsOf(scene, {RegionId{7}, RegionId{8}});
   EXPECT_GT(both.least_side, 0.9F) << "the border between them is inside";
   scene.color(8, kRedLab);
-  EXPECT_GT(boundsOf(scene, {RegionId{7}}).least_side, 0.8F) << "two things in a row";
+  EXPECT_GT(boundsOf(scene, {RegionId{7}}).least_side, 0.8F) << "two objects in a row";
 }
 
 TEST(OutlineBounds, SideIsNeutral_WhenHidden) {
@@ -61,7 +61,7 @@ TEST(OutlineBounds, SideIsNeutral_WhenHidden) {
   scene.paint(8, {kStanding.br().x, kStanding.y - 10, 20, 40}, [](int, int) { return 1.0F; });
   const OutlineBounds bounds = boundsOf(scene, {RegionId{7}});
   EXPECT_NEAR(bounds.mean, before.mean, 0.01F);
-  EXPECT_FLOAT_EQ(bounds.least_side, 0.5F) << "of that side nothing is known";
+  EXPECT_FLOAT_EQ(bounds.least_side, 0.5F) << "this side is unknown";
 }
 
 TEST(OutlineBounds, ContinuingSurfaceIsNeutral_WithoutColor) {

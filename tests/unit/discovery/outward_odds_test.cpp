@@ -42,7 +42,7 @@ TEST(OutwardOdds, MostIsTheLargestOddsOfAContact) {
   };
   const OutwardOdds odds = oddsOf(scene, {RegionId{7}});
   EXPECT_FLOAT_EQ(odds.most, -1);
-  // 20 of 80 steps of its outline touch 8, and 10 touch 9; at a corner a step may look past the other.
+  // Of 80 outline steps, 20 touch region 8 and 10 touch region 9; a step at a corner may miss the neighbour.
   const float expected = 20 / 80.0F / (1 + std::exp(1.0F)) + 10 / 80.0F / (1 + std::exp(2.0F));
   EXPECT_NEAR(odds.joined_part, expected, 0.01F);
 }

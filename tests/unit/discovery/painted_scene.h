@@ -41,7 +41,7 @@ struct PaintedScene {
     }
   }
 
-  /// All that was painted of the region; what has no colour by then is black.
+  /// Colours all painted pixels of the region; other pixels without a colour become black.
   void color(std::uint32_t region, const Eigen::Vector3f& lab) {
     color_lab.resize(view.regions.size(), Eigen::Vector3f::Zero());
     for (std::size_t i = 0; i < view.regions.size(); ++i) {
@@ -68,7 +68,7 @@ struct PaintedScene {
     });
   }
 
-  /// Of all the regions together.
+  /// The extent of all `regions` together.
   [[nodiscard]] RegionExtent extentOf(const RegionSet& regions) const {
     RegionExtent extent;
     for (int v = 0; v < view.K.height; ++v) {
@@ -100,16 +100,16 @@ struct PaintedScene {
   }
 
  private:
-  /// From the pixel to the next, or from the one before to it; zero where it is alone.
+  /// Difference to the next pixel of the region, else from the previous one; zero without either.
   [[nodiscard]] Eigen::Vector3f difference(int u, int v, int du, int dv) const {
     const auto at = [this](int x, int y) { return static_cast<std::size_t>(y * view.K.width + x); };
-    const auto isOne = [&](int x, int y) {
+    const auto isSameRegion = [&](int x, int y) {
       return x >= 0 && y >= 0 && x < view.K.width && y < view.K.height &&
              view.regions[at(x, y)] == view.regions[at(u, v)];
     };
-    if (isOne(u + du, v + dv))
+    if (isSameRegion(u + du, v + dv))
       return (view.vertices_world[at(u + du, v + dv)] - view.vertices_world[at(u, v)]).head<3>();
-    if (isOne(u - du, v - dv))
+    if (isSameRegion(u - du, v - dv))
       return (view.vertices_world[at(u, v)] - view.vertices_world[at(u - du, v - dv)]).head<3>();
     return Eigen::Vector3f::Zero();
   }

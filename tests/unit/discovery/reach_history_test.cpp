@@ -40,21 +40,21 @@ void addFrames(ReachHistory& history, const PaintedScene& scene, int frames) {
 TEST(ReachHistory, IsSeenToItsEnds_WhenDifferentFramesShowThem) {
   ReachHistory history;
   addFrames(history, signFrom(10), 20);
-  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "its right end was never seen";
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "its right end is not seen yet";
   addFrames(history, signFrom(-30), 5);
   EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "it has just grown";
   EXPECT_TRUE(history.isSeenToItsEnds(kSign, 4));
   addFrames(history, signFrom(-30), 1);
   EXPECT_TRUE(history.isSeenToItsEnds(kSign, 5));
-  // Ends count as seen where they were; pixels are looked at two by two.
+  // Ends are measured in every second pixel.
   const Eigen::Vector3f size = history.sizeOf(kSign);
   EXPECT_NEAR(size.x(), 0.36, 0.006);
   EXPECT_NEAR(size.y(), 0.12, 0.006);
   EXPECT_NEAR(size.z(), 0, 1e-6);
 }
 
-/// The sign after its two ends were seen, sides longest first.
-Eigen::Vector3f sizeOfTurned(double turned_rad, const Eigen::Matrix3f& axes) {
+/// Size of the sign after frames of both ends, longest side first.
+Eigen::Vector3f sizeOfRotated(double turned_rad, const Eigen::Matrix3f& axes) {
   ReachHistory history;
   addFrames(history, signFrom(10, 30, kWidth_px, turned_rad), 5);
   addFrames(history, signFrom(-30, 30, kWidth_px, turned_rad), 5);
@@ -64,7 +64,7 @@ Eigen::Vector3f sizeOfTurned(double turned_rad, const Eigen::Matrix3f& axes) {
 }
 
 TEST(ReachHistory, MeasuresAlongTheSides_WhenTheyLieAcrossTheAxesOfTheWorld) {
-  const Eigen::Vector3f size = sizeOfTurned(std::numbers::pi / 4, Eigen::Matrix3f::Identity());
+  const Eigen::Vector3f size = sizeOfRotated(std::numbers::pi / 4, Eigen::Matrix3f::Identity());
   EXPECT_NEAR(size.x(), 0.36, 0.01);
   EXPECT_NEAR(size.y(), 0.12, 0.01);
   EXPECT_NEAR(size.z(), 0, 0.01);
@@ -75,7 +75,7 @@ TEST(ReachHistory, MeasuresAlongTheSides_WhenTheyLieAsTheLastFrameSuggests) {
     SCOPED_TRACE(turned_rad);
     const Eigen::Matrix3f axes =
         Eigen::AngleAxisd(turned_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix().cast<float>();
-    const Eigen::Vector3f size = sizeOfTurned(turned_rad, axes);
+    const Eigen::Vector3f size = sizeOfRotated(turned_rad, axes);
     EXPECT_NEAR(size.x(), 0.36, 0.015);
     EXPECT_NEAR(size.y(), 0.12, 0.015);
     EXPECT_NEAR(size.z(), 0, 0.015);
@@ -93,13 +93,13 @@ TEST(ReachHistory, IsNotSeenToItsEnds_WhenOneIsOnTheBorder) {
   ReachHistory history;
   addFrames(history, signFrom(0), 10);
   addFrames(history, signFrom(-30), 10);
-  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "in column 0 nothing tells whether it goes on";
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "a region that ends in column 0 may continue";
 }
 
 TEST(ReachHistory, ShownPartIsThatOfTheLastFrame) {
   ReachHistory history;
   addFrames(history, signFrom(10), 1);
-  EXPECT_NEAR(history.shownPart(kSign), 1, 1e-6) << "there is no more of it yet";
+  EXPECT_NEAR(history.shownPart(kSign), 1, 1e-6) << "all known points are in view";
   addFrames(history, signFrom(-30), 1);
   addFrames(history, signFrom(10), 1);
   EXPECT_NEAR(history.shownPart(kSign), 150.0 / 180, 0.03);
@@ -113,7 +113,7 @@ TEST(ReachHistory, MeasuresLargeRegionsAgain_AfterAWhile) {
   EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5));
   EXPECT_EQ(history.sizeOf(kSign).norm(), 0);
   for (int i = 0; i < 130; ++i) history.add(signFrom(10, 30, 60).input(), kVisible, 0.5F);
-  EXPECT_TRUE(history.isSeenToItsEnds(kSign, 5)) << "it was looked at again";
+  EXPECT_TRUE(history.isSeenToItsEnds(kSign, 5)) << "it is measured again";
   EXPECT_NEAR(history.sizeOf(kSign).x(), 0.12, 0.006);
 }
 
@@ -122,12 +122,12 @@ TEST(ReachHistory, DropsRegions_WhenChangedOrUnseenForLong) {
   addFrames(history, signFrom(10), 10);
   history.forget(kSign);
   addFrames(history, signFrom(-30), 10);
-  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "its left end was seen before";
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "earlier frames saw its left end";
   for (int i = 0; i <= ReachHistory::kMemory; ++i) history.add(PaintedScene().input(), kVisible, 10);
-  EXPECT_EQ(history.regionCount(), 1U) << "the wall";
+  EXPECT_EQ(history.regionCount(), 1U) << "only the wall";
 }
 
-// Never seen whole in one frame, and yet known whole: the rules of discovery take it like any other thing.
+// No frame shows the whole sign, but all frames together do: the rules accept it like any other object.
 TEST(ReachHistory, RegionIsACandidate_OnceAllFramesTogetherShowItsEnds) {
   DiscoveryParams params;
   params.persistent_frames = 5;
@@ -142,10 +142,10 @@ TEST(ReachHistory, RegionIsACandidate_OnceAllFramesTogetherShowItsEnds) {
   const std::vector<Candidate> found = find(signFrom(-30), 8);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].regions, RegionSet{kSign});
-  EXPECT_NEAR(found[0].size_m[0], 0.36, 0.006) << "of all of it";
-  EXPECT_EQ(found[0].box_px, cv::Rect(0, 30, 150, 60)) << "of what the frame shows";
-  EXPECT_GT(found[0].outline, 0.95) << "the image's border is no part of it";
-  EXPECT_THAT(find(signFrom(-100), 8), testing::IsEmpty()) << "44 % of it are too little for a picture";
+  EXPECT_NEAR(found[0].size_m[0], 0.36, 0.006) << "the size of the complete sign";
+  EXPECT_EQ(found[0].box_px, cv::Rect(0, 30, 150, 60)) << "the box of the visible part";
+  EXPECT_GT(found[0].outline, 0.95) << "the image border does not count as outline";
+  EXPECT_THAT(find(signFrom(-100), 8), testing::IsEmpty()) << "44 % of it are too little for a view";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-/// Points on the sides of a box, in one colour, or without.
+/// Points on the sides of a box, in one colour or without colour.
 std::vector<AppearancePoint> box(const Eigen::Vector3f& size_m, const std::array<std::uint8_t, 3>& rgb,
                                  const Eigen::Matrix3f& R = Eigen::Matrix3f::Identity(),
                                  bool has_color = true) {
@@ -16,9 +16,9 @@ std::vector<AppearancePoint> box(const Eigen::Vector3f& size_m, const std::array
   std::uniform_real_distribution<float> unit(-0.5F, 0.5F);
   std::vector<AppearancePoint> points;
   for (int i = 0; i < 3000; ++i) {
-    Eigen::Vector3f place(unit(random), unit(random), unit(random));
-    place[i % 3] = i % 2 == 0 ? 0.5F : -0.5F;
-    points.push_back({R * place.cwiseProduct(size_m) + Eigen::Vector3f(1, 2, 3), rgb, has_color});
+    Eigen::Vector3f position(unit(random), unit(random), unit(random));
+    position[i % 3] = i % 2 == 0 ? 0.5F : -0.5F;
+    points.push_back({R * position.cwiseProduct(size_m) + Eigen::Vector3f(1, 2, 3), rgb, has_color});
   }
   return points;
 }
@@ -51,13 +51,13 @@ TEST(RegionAppearance, LikenessIsThatOfSizes_WithoutColor) {
   EXPECT_LT(likeness(gray({0.1F, 0.08F, 0.1F}), gray({0.8F, 0.6F, 0.1F})), 0.3F);
 }
 
-// A strip of table behind a vase was proposed before the other books, as it had a book's size and no colour.
+// Without this rule, a strip of table behind a vase ranked before books: it has a book's size and no colour.
 TEST(RegionAppearance, LikenessIsLow_WhenOnlyOneHasColor) {
   const RegionAppearance book = appearanceOf(box({0.18F, 0.12F, 0.04F}, kRed));
   const RegionAppearance strip =
       appearanceOf(box({0.17F, 0.12F, 0.02F}, kRed, Eigen::Matrix3f::Identity(), false));
   const RegionAppearance other_book = appearanceOf(box({0.2F, 0.14F, 0.05F}, kDarkRed));
-  EXPECT_LT(likeness(book, strip), 0.45F);  // RegionProposals proposes nothing less
+  EXPECT_LT(likeness(book, strip), 0.45F);  // the least likeness that RegionProposals proposes
   EXPECT_LT(likeness(book, strip), likeness(book, other_book));
 }
 

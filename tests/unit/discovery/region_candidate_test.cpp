@@ -15,22 +15,23 @@ TEST(RegionCandidate, HasTheRegionsMaskBoxAndPlace) {
   PaintedScene scene;
   const cv::Rect box(60, 40, 30, 24);
   scene.paintBump(7, box, 1.2F);
-  const std::optional<Candidate> seen = candidateOf(RegionId{7}, scene.input(), 100);
-  ASSERT_TRUE(seen);
-  EXPECT_EQ(seen->regions, RegionSet{RegionId{7}});
-  EXPECT_EQ(seen->box_px, box);
-  EXPECT_EQ(seen->pixels, box.area());
-  EXPECT_EQ(cv::countNonZero(seen->mask), box.area());
-  EXPECT_FALSE(seen->is_complete);
-  EXPECT_NEAR(seen->size_m[0], 30 * 1.2F / 150, 0.05F);
-  EXPECT_LT((scene.view.T_world_camera.cast<float>() * seen->centroid_camera - seen->centroid_world).norm(),
+  const std::optional<Candidate> candidate = candidateOf(RegionId{7}, scene.input(), 100);
+  ASSERT_TRUE(candidate);
+  EXPECT_EQ(candidate->regions, RegionSet{RegionId{7}});
+  EXPECT_EQ(candidate->box_px, box);
+  EXPECT_EQ(candidate->pixels, box.area());
+  EXPECT_EQ(cv::countNonZero(candidate->mask), box.area());
+  EXPECT_FALSE(candidate->is_complete);
+  EXPECT_NEAR(candidate->size_m[0], 30 * 1.2F / 150, 0.05F);
+  EXPECT_LT((scene.view.T_world_camera.cast<float>() * candidate->centroid_camera - candidate->centroid_world)
+                .norm(),
             1e-5F);
-  EXPECT_NEAR(seen->centroid_camera.z(), 1.1F, 0.1F);
+  EXPECT_NEAR(candidate->centroid_camera.z(), 1.1F, 0.1F);
 }
 
 TEST(RegionCandidate, AcceptsARegion_WhenNoRuleDoes) {
   PaintedScene scene;
-  EXPECT_TRUE(candidateOf(RegionId{1}, scene.input(), 100)) << "a wall that the image cuts off";
+  EXPECT_TRUE(candidateOf(RegionId{1}, scene.input(), 100)) << "a wall cut by the image border";
 }
 
 TEST(RegionCandidate, IsNone_WhenTooFewPixelsHaveASurface) {

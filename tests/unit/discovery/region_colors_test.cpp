@@ -20,7 +20,7 @@ ColorLikeness likenessOf(const PaintedScene& scene, const RegionSet& regions) {
   return likeness.value_or(ColorLikeness{-1, -1});
 }
 
-/// Something at that distance before a grey wall at 2 m.
+/// An object at a distance of `z_m` before a grey wall at 2 m.
 PaintedScene beforeGrayWall(float z_m, const Eigen::Vector3f& color) {
   PaintedScene scene;
   scene.paint(7, kPlace, [z_m](int, int) { return z_m; });
@@ -50,7 +50,7 @@ TEST(RegionColors, LikenessIsZero_ForARedObjectOnAGrayWall) {
 
 TEST(RegionColors, TouchingIgnoresSurfaceFarBehind) {
   const ColorLikeness likeness = likenessOf(beforeGrayWall(1, kGrayLab), {RegionId{7}});
-  EXPECT_FLOAT_EQ(likeness.neighbor, 1) << "but it is its neighbour in the image";
+  EXPECT_FLOAT_EQ(likeness.neighbor, 1) << "it is still its neighbour in the image";
   EXPECT_EQ(likeness.touching, 0);
 }
 
@@ -62,7 +62,7 @@ TEST(RegionColors, NeighborIsTheMostSimilarOne) {
   const ColorLikeness alone = likenessOf(scene, {RegionId{7}});
   EXPECT_NEAR(alone.neighbor, 1, 1e-4);
   EXPECT_GT(alone.touching, 0.1F);
-  EXPECT_LT(alone.touching, 0.4F) << "one side of four touches it";
+  EXPECT_LT(alone.touching, 0.4F) << "one side of four touches the neighbour";
   const ColorLikeness both = likenessOf(scene, {RegionId{7}, RegionId{8}});
   EXPECT_EQ(both.neighbor, 0);
   EXPECT_EQ(both.touching, 0);
@@ -100,7 +100,7 @@ TEST(RegionColors, EndToEndIsZero_ForASlantedRow) {
   scene.color(8, kGrayLab);
   const ColorLikeness likeness = likenessOf(scene, {RegionId{7}, RegionId{8}});
   EXPECT_EQ(likeness.end_to_end, 0);
-  EXPECT_GT(likeness.side_to_side, 0.8F) << "the axis cuts either into two halves, nearly";
+  EXPECT_GT(likeness.side_to_side, 0.8F) << "the axis divides each object into near-equal halves";
 }
 
 TEST(RegionColors, TouchingIsOne_AtTheImageEdge) {

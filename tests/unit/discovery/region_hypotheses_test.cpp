@@ -1,4 +1,4 @@
-// Sets of regions as candidates, hollows among them, and the choice between candidates.
+// Sets of regions as candidates, concave ones among them, and the choice between candidates.
 #include "core/discovery/region_hypotheses.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ TEST(RegionPoints, BulgeIsPositiveForABallZeroForAPlaneNegativeForADent) {
     for (int v = 0; v < scene.view.K.height; ++v) {
       for (int u = 0; u < scene.view.K.width; ++u) {
         const Eigen::Vector3f ray = scene.view.K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
-        // |z ray - middle| = r; its near side bulges, its far side is the hollow.
+        // |z ray - center| = r: the near side is convex, the far side concave.
         const float a = ray.squaredNorm(), b = ray.dot(middle),
                     c = middle.squaredNorm() - kRadius_m * kRadius_m;
         if (b * b < a * c) continue;
@@ -50,8 +50,9 @@ TEST(RegionPoints, BulgeIsPositiveForABallZeroForAPlaneNegativeForADent) {
   scene.paint(plane.value, {70, 40, 20, 30}, [](int, int) { return 1.0F; });
   const DiscoveryInput input = scene.input();
   const cv::Rect all(0, 0, scene.view.K.width, scene.view.K.height);
-  // Of half a ball seen from afar (p - c) . n is r (1 - 2/3 cos) and |p - c| is r sqrt(13/9 - 4/3 cos), with
-  // the angle to the line of sight; their means over the disc are 5/9 and 0.71. From near less of it is seen.
+  // For half a ball seen from afar, (p - c) . n is r (1 - 2/3 cos) and |p - c| is r sqrt(13/9 - 4/3 cos),
+  // with the angle to the line of sight; their means over the disc are 5/9 and 0.71. From nearby, less of it
+  // is visible.
   EXPECT_NEAR(bulgeOf({ball}, all, input), 0.78F, 0.07F);
   EXPECT_NEAR(bulgeOf({dent}, all, input), -0.78F, 0.07F);
   EXPECT_NEAR(bulgeOf({plane}, all, input), 0, 1e-3F);
@@ -63,24 +64,24 @@ TEST(RuleBasedFinder, ProposesNeighborsTogether_WhenCloseToJoining) {
   scene.paintBump(7, {60, 50, 20, 30}, 1.0F);
   scene.paintBump(9, {80, 50, 20, 30}, 1.0F);
   const RegionSet one{RegionId{7}}, other{RegionId{9}}, both{RegionId{7}, RegionId{9}};
-  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "nothing is known of the two";
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "their joining odds are unknown";
   scene.joining_odds = [](RegionId, RegionId) { return -0.6F; };
   EXPECT_THAT(setsIn(scene), ElementsAre(one, both, other));
   scene.joining_odds = [](RegionId, RegionId) { return -kNearOdds - 1; };
-  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "clearly two";
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "clearly two objects";
 }
 
 TEST(RuleBasedFinder, ProposesABowlsInsideOnlyWithItsOutside) {
-  // Seen from above: a hollow whose near side the front wall hides.
+  // A bowl from above: its front wall occludes the near side of its inside.
   PaintedScene scene;
   const RegionId inside{8}, outside{7};
   scene.paintBowl(inside.value, {60, 40, 40, 20}, 1.08F);
   scene.paintBump(outside.value, {60, 60, 40, 20}, 1.0F, 0.5F);
   EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}))
-      << "that they touch is not known";
+      << "their joining odds are unknown";
   scene.joining_odds = [](RegionId, RegionId) { return -0.5F; };
   EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside, inside}));
-  // A block behind a wall that hides as much of it is a thing of its own.
+  // A block behind a wall that occludes as much of it is a separate object.
   scene.paintBump(inside.value, {60, 40, 40, 20}, 1.2F, 0.5F);
   EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}));
 }
@@ -92,13 +93,13 @@ TEST(RuleBasedFinder, ObjectInAPlateIsNotItsOutside) {
   scene.paintBump(can.value, {68, 40, 24, 26}, 1.0F, 0.5F);
   scene.joining_odds = [](RegionId, RegionId) { return -1.5F; };
   const DiscoveryInput input = scene.input();
-  ASSERT_LT(bulgeOf({plate}, {50, 50, 60, 30}, input), -0.03F) << "it is hollow";
+  ASSERT_LT(bulgeOf({plate}, {50, 50, 60, 30}, input), -0.03F) << "the plate is concave";
   const DiscoveryParams params;
   const RegionOutlines outlines(input);
   std::vector<RegionExtent> regions = RegionCounter().count(scene.view.regions, scene.view.K.width).extents;
   std::erase_if(regions, [](const RegionExtent& extent) { return extent.region == RegionId{1}; });
   const std::vector<RegionHypothesis> hypotheses = proposeHypotheses(regions, outlines, input, params);
-  ASSERT_GE(hypotheses.size(), 2U) << "each by itself";
+  ASSERT_GE(hypotheses.size(), 2U) << "each alone";
   for (const RegionHypothesis& hypothesis : hypotheses) EXPECT_FALSE(hypothesis.is_inconsistent);
 }
 
@@ -115,29 +116,29 @@ TEST(Candidate, ClearObjectMayBeHiddenMore) {
 }
 
 TEST(ChooseDisjoint, KeepsTheBest_WhenCandidatesShareRegions) {
-  const auto candidate = [](const RegionSet& regions, float outline, bool is_complete, float odds = 0) {
-    Candidate made;
-    made.regions = regions;
-    made.outline = outline;
-    made.is_complete = is_complete;
-    made.odds = odds;
-    return made;
+  const auto candidateOf = [](const RegionSet& regions, float outline, bool is_complete, float odds = 0) {
+    Candidate candidate;
+    candidate.regions = regions;
+    candidate.outline = outline;
+    candidate.is_complete = is_complete;
+    candidate.odds = odds;
+    return candidate;
   };
   const RegionId a{1}, b{2}, c{3};
   const std::vector<float> nothing(3, 0.0F);
-  // A box whose front and top end at one another, and are one whole together.
-  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.6F, false), candidate({a, b}, 0.95F, true, -1),
-                                         candidate({b}, 0.6F, false)},
+  // Front and top of one box, complete together.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidateOf({a}, 0.6F, false), candidateOf({a, b}, 0.95F, true, -1),
+                                         candidateOf({b}, 0.6F, false)},
                              nothing),
               ElementsAre(1U));
-  // Two things that touch.
-  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.9F, true), candidate({a, b}, 0.9F, true, -3),
-                                         candidate({b}, 0.9F, true)},
+  // Two objects that touch.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidateOf({a}, 0.9F, true), candidateOf({a, b}, 0.9F, true, -3),
+                                         candidateOf({b}, 0.9F, true)},
                              nothing),
               ElementsAre(0U, 2U));
-  // What the catalogue knows comes first.
-  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.9F, true), candidate({a, b}, 0.8F, true, -3),
-                                         candidate({c}, 0.5F, false)},
+  // Objects of the catalogue come first.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidateOf({a}, 0.9F, true), candidateOf({a, b}, 0.8F, true, -3),
+                                         candidateOf({c}, 0.5F, false)},
                              std::vector{0.0F, 1.0F, 0.0F}),
               ElementsAre(1U, 2U));
 }

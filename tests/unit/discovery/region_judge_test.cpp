@@ -9,9 +9,9 @@ namespace {
 
 using test::PaintedScene;
 
-const RegionId kThing{7};
+const RegionId kObject{7};
 
-/// What the scene shows of the things, moved by `aside` of its camera, is all that is known of them.
+/// Known points: those the scene shows, moved by `aside` in the camera's frame.
 void addKnown(const PaintedScene& scene, RegionSamples& known,
               const Eigen::Vector3d& aside = Eigen::Vector3d::Zero()) {
   const DiscoveryInput input = scene.input();
@@ -37,10 +37,10 @@ TEST(RegionJudge, MeasuresTheEvidenceOfAnObject) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   const auto judged = judge(scene);
-  ASSERT_EQ(judged.size(), 1U) << "the wall is too large, and nothing is known of it";
-  EXPECT_EQ(judged[0].hypothesis.regions, RegionSet{kThing});
+  ASSERT_EQ(judged.size(), 1U) << "the wall is too large and has no known points";
+  EXPECT_EQ(judged[0].hypothesis.regions, RegionSet{kObject});
   const ObjectnessEvidence& evidence = judged[0].evidence;
-  EXPECT_FLOAT_EQ(evidence.pixels, 4 * 40 * 30) << "of an image twice as wide and high";
+  EXPECT_FLOAT_EQ(evidence.pixels, 4 * 40 * 30) << "scaled to an image twice as wide and high";
   EXPECT_FLOAT_EQ(evidence.open, 1) << "the wall lies a metre behind it";
   EXPECT_FLOAT_EQ(evidence.fill, 1);
   EXPECT_GT(evidence.bulge, 0.3F);
@@ -86,18 +86,18 @@ TEST(RegionJudge, SkipsSets_WhenNotAskedFor) {
   const std::vector<Candidate> asked = judge.find(scene.input());
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_EQ(asked[0].regions, RegionSet{RegionId{8}});
-  EXPECT_EQ(asked[0].objectness, all[1].objectness) << "as if all were asked for";
+  EXPECT_EQ(asked[0].objectness, all[1].objectness) << "the same as when all are requested";
 }
 
 TEST(RegionJudge, SkipsRegions_WhenMostKnownPointsAreOutOfView) {
   PaintedScene scene;
   scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
-  EXPECT_EQ(judge(scene).size(), 1U) << "a quarter of its outline is cut off, and no more of it is known";
+  EXPECT_EQ(judge(scene).size(), 1U) << "a quarter of its outline is cut, and no known points lie outside";
   RegionSamples known;
   addKnown(scene, known);
   addKnown(scene, known, {-0.3, 0, 0});
   addKnown(scene, known, {-0.35, 0, 0});
-  EXPECT_TRUE(judge(scene, std::move(known)).empty()) << "twice as much of it is known to lie outside";
+  EXPECT_TRUE(judge(scene, std::move(known)).empty()) << "twice as many known points lie outside as inside";
 }
 
 TEST(RegionJudge, SkipsRegions_WhenMostOfTheOutlineIsCut) {
@@ -117,9 +117,9 @@ TEST(RegionJudge, IsCutOff_WhenAThirdOfTheKnownPointsIsOutOfView) {
     return RegionJudge(DiscoveryParams{}, std::move(of)).find(scene.input()).at(0);
   };
   EXPECT_FALSE(found(known).is_cut_off);
-  EXPECT_TRUE(found(more).is_cut_off) << "a third of it is known to lie outside";
+  EXPECT_TRUE(found(more).is_cut_off) << "a third of its known points lie outside";
   EXPECT_NEAR(found(more).size_m[0], found(known).size_m[0] + 0.15F, 0.04F)
-      << "all of it, not what is in view";
+      << "the size of the complete object, not of the visible part";
 }
 
 TEST(RegionJudge, IsCutOff_WhenTheImageCutsAThirdOfTheOutline) {

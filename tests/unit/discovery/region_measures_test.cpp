@@ -40,7 +40,7 @@ TEST(RegionCensus, EqualsPixelByPixelSums) {
 }
 
 TEST(RegionCensus, MeasuresTheEccentricityOfARectangle) {
-  // A rectangle a x b has second moments a^2/12, b^2/12: e = sqrt(1 - (b/a)^2), at any place.
+  // A rectangle a x b has second moments a^2/12 and b^2/12, so e = sqrt(1 - (b/a)^2) anywhere.
   std::vector<RegionId> regions(6000);
   for (int v = 10; v < 20; ++v) {
     for (int u = 30; u < 80; ++u) regions[static_cast<std::size_t>(v * 100 + u)] = RegionId{3};
@@ -64,7 +64,7 @@ TEST(OrientedBox, MeasuresATurnedBox) {
         R * Eigen::Vector3f(0.1F * unit(random), 0.4F * unit(random), 0.2F * unit(random));
     points.emplace_back(p.x() + 5, p.y() - 3, p.z() + 1, 1.0F);
   }
-  points.emplace_back(9.0F, 9.0F, 9.0F, 1.0F);  // one stray point
+  points.emplace_back(9.0F, 9.0F, 9.0F, 1.0F);  // an outlier
   const OrientedBox box = fitOrientedBox(points);
   // 98 % of each side, within the sampling error of 4096 points.
   EXPECT_NEAR(box.size_m[0], 0.392F, 0.01F);
@@ -124,46 +124,46 @@ ObservationHistory::Observation seenFrom(float degrees, float outline = 0.9F, fl
 }
 
 TEST(ObservationHistory, IsComplete_AfterObservationsFromTwoDirectionsWithOwnOutline) {
-  const RegionSet thing{RegionId{5}};
+  const RegionSet object{RegionId{5}};
   const auto is_complete = [&](int observations, float degrees, float outline, float hidden) {
     ObservationHistory history;
     for (int i = 0; i < observations; ++i) {
       history.nextFrame();
-      history.add(thing, seenFrom(i == 0 ? 0 : degrees, outline, hidden));
+      history.add(object, seenFrom(i == 0 ? 0 : degrees, outline, hidden));
     }
-    return history.isComplete(thing, observationParams());
+    return history.isComplete(object, observationParams());
   };
   EXPECT_TRUE(is_complete(4, 11, 0.9F, 0.1F));
   EXPECT_FALSE(is_complete(3, 11, 0.9F, 0.1F));
   EXPECT_FALSE(is_complete(4, 9, 0.9F, 0.1F));
-  EXPECT_TRUE(is_complete(51, 0, 0.9F, 0.1F)) << "two directions, or long enough";
+  EXPECT_TRUE(is_complete(51, 0, 0.9F, 0.1F)) << "one direction, but many observations";
   EXPECT_FALSE(is_complete(4, 11, 0.7F, 0.1F));
   EXPECT_FALSE(is_complete(4, 11, 0.9F, 0.4F));
-  EXPECT_FALSE(ObservationHistory().isComplete(thing, observationParams()));
+  EXPECT_FALSE(ObservationHistory().isComplete(object, observationParams()));
 }
 
 TEST(ObservationHistory, IsReset_AfterSeveralObservationsOfAnotherSize) {
-  const RegionSet thing{RegionId{5}};
+  const RegionSet object{RegionId{5}};
   ObservationHistory history;
   for (int i = 0; i < 4; ++i) {
     history.nextFrame();
-    history.add(thing, seenFrom(4.0F * static_cast<float>(i)));
+    history.add(object, seenFrom(4.0F * static_cast<float>(i)));
   }
-  ASSERT_TRUE(history.isComplete(thing, observationParams()));
+  ASSERT_TRUE(history.isComplete(object, observationParams()));
   const auto observationOfAnotherSize = [&] {
     history.nextFrame();
-    history.add(thing, seenFrom(20, 0.9F, 0, 0.5F));
+    history.add(object, seenFrom(20, 0.9F, 0, 0.5F));
   };
   observationOfAnotherSize();
   observationOfAnotherSize();
-  EXPECT_TRUE(history.isComplete(thing, observationParams())) << "something stood before it for a moment";
+  EXPECT_TRUE(history.isComplete(object, observationParams())) << "two observations may be a brief occlusion";
   history.nextFrame();
-  history.add(thing, seenFrom(20));
+  history.add(object, seenFrom(20));
   observationOfAnotherSize();
   observationOfAnotherSize();
-  EXPECT_TRUE(history.isComplete(thing, observationParams())) << "not in a row";
-  observationOfAnotherSize();  // it parted, or something joined it
-  EXPECT_FALSE(history.isComplete(thing, observationParams()));
+  EXPECT_TRUE(history.isComplete(object, observationParams())) << "not consecutive";
+  observationOfAnotherSize();  // the set was divided or joined
+  EXPECT_FALSE(history.isComplete(object, observationParams()));
 }
 
 TEST(ObservationHistory, DropsSets_WhenUnseenForLong) {
@@ -185,7 +185,7 @@ TEST(ObservationHistory, KeepsTheSetWithMoreObservations_WhenRegionsJoin) {
   }
   history.follow(RegionId{6}, RegionId{5});
   EXPECT_FALSE(history.isComplete({RegionId{5}}, observationParams()));
-  EXPECT_TRUE(history.isComplete({RegionId{6}}, observationParams())) << "the one with more looks";
+  EXPECT_TRUE(history.isComplete({RegionId{6}}, observationParams())) << "the set with more observations";
 }
 
 }  // namespace

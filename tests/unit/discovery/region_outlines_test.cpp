@@ -23,7 +23,7 @@ TEST(RegionOutlines, OutlineIsOpen_ForAFreeStandingObject) {
   EXPECT_EQ(steps.open, 2 * (40 + 30)) << "a metre before the wall, all around";
   EXPECT_EQ(steps.known(), steps.open);
   EXPECT_EQ(steps.own(), 1);
-  // Seen from the wall the same steps are hidden; it also ends at the image's edges.
+  // From the wall's side the same steps are hidden; the wall also ends at the image edges.
   const OutlineSteps wall = outlineOf(scene, 1);
   EXPECT_EQ(wall.hidden, 2 * (40 + 30));
   EXPECT_EQ(wall.cut, 2 * (160 + 120));
@@ -39,11 +39,11 @@ TEST(RegionOutlines, OutlineIsSmooth_ForAPatchOfAPlane) {
 }
 
 TEST(RegionOutlines, OutlineIsOpen_ForABookOnATable) {
-  PaintedScene scene;  // seen from above, 2 cm thick: less than what hides
+  PaintedScene scene;  // from above, 2 cm thick: less than the step that hides
   scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 1.0F; });
   scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 0.98F; });
   EXPECT_EQ(outlineOf(scene, 7).open, 2 * (40 + 30));
-  EXPECT_EQ(outlineOf(scene, 1).hidden, 2 * (40 + 30)) << "the table goes on below";
+  EXPECT_EQ(outlineOf(scene, 1).hidden, 2 * (40 + 30)) << "the table continues below it";
 }
 
 /// Two planes that meet in the column u = 80, nearer or farther there than to the sides.

@@ -18,7 +18,7 @@ TEST(RegionPoints, OmitsSpillThroughGaps) {
   };
   PaintedScene clean, behind, along;
   for (PaintedScene* scene : {&clean, &behind, &along}) scene->paintBump(7, box, 1.0F);
-  // Far behind its outline, and on a floor that goes away from its foot.
+  // Points far behind the outline, and on a floor that recedes from the object's foot.
   behind.paint(7, {100, 45, 4, 25}, [](int, int) { return 1.9F; });
   along.paint(7, {100, 45, 2, 30}, [](int, int v) { return 1.0F + 0.03F * static_cast<float>(74 - v); });
   EXPECT_NEAR(sizeOf(behind), sizeOf(clean), 0.02F * sizeOf(clean));

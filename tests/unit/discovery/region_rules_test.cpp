@@ -14,7 +14,7 @@ TEST(RegionRules, RegionIsAStrip_WhenThinWithoutBulgeOrTooLong) {
   };
   EXPECT_FALSE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, params)) << "the edge of a shelf";
   EXPECT_TRUE(isNotStrip(boxOf(0.15F, 0.01F), 0.5F, params)) << "a pen";
-  EXPECT_TRUE(isNotStrip(boxOf(0.25F, 0.15F), 0.03F, params)) << "a book that lies";
+  EXPECT_TRUE(isNotStrip(boxOf(0.25F, 0.15F), 0.03F, params)) << "a book lying flat";
   EXPECT_FALSE(isNotStrip(boxOf(0.6F, 0.05F), 0.3F, params)) << "the leg of a table";
   EXPECT_TRUE(isNotStrip(boxOf(0.3F, 0.06F), 0.3F, params)) << "a bottle";
   DiscoveryParams all;

@@ -9,7 +9,7 @@ namespace {
 
 const RegionId kBall{3}, kBoard{4};
 
-/// A ball of 10 cm about (0, 0, 1), by `points` points that lie evenly on it.
+/// A ball of 10 cm radius at (0, 0, 1), sampled evenly by `points` points.
 RegionSamples ballOf(int points) {
   RegionSamples samples;
   for (int i = 0; i < points; ++i) {
@@ -25,7 +25,7 @@ RegionSamples ballOf(int points) {
 TEST(RegionSamples, ShapeIsTheSame_WithAnyNumberOfPoints) {
   for (const int points : {100, 511, 513, 20000}) {
     const RegionSamples::Shape ball = ballOf(points).shapeOf({kBall});
-    // The outermost 1 % are left out to either side of each axis: 0.2 (1 - 0.02).
+    // The outermost 1 % at either end of each axis are ignored: 0.2 (1 - 0.02).
     EXPECT_NEAR(ball.box.size_m[0], 0.196F, 0.006F) << points;
     EXPECT_NEAR(ball.box.size_m[2], 0.196F, 0.006F) << points;
     EXPECT_LT((ball.box.mean - Eigen::Vector3f(0, 0, 1)).norm(), 0.01F) << points;
@@ -43,7 +43,7 @@ TEST(RegionSamples, ShapeOfSeveralRegionsWeighsThemByPoints) {
   }
   const RegionSamples::Shape both = samples.shapeOf({kBall, kBoard});
   EXPECT_NEAR(both.box.size_m[0], 0.95F, 0.05F) << "from -0.1 to 0.88, without the outermost 1 %";
-  // Ten times as many points are the ball's: their mean is near its middle.
+  // The ball has ten times as many points, so the mean is near its center.
   EXPECT_LT(both.box.mean.x(), 0.1F);
   EXPECT_EQ(samples.shapeOf({RegionId{99}}).box.size_m, Eigen::Vector3f::Zero());
 }
@@ -55,7 +55,7 @@ TEST(RegionSamples, PartInViewIsThePartInsideTheVisibleImage) {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   EXPECT_EQ(samples.partInView(kBall, K, T_world_camera, all), 1);
   EXPECT_EQ(samples.partInView(RegionId{99}, K, T_world_camera, all), 0);
-  // Its middle lies on the left edge: half of the ball is left of that, as far as perspective lets it.
+  // Its center lies on the left edge, so half of the ball is outside, up to perspective.
   T_world_camera.translation().x() = 0.64;
   EXPECT_NEAR(samples.partInView(kBall, K, T_world_camera, all), 0.5F, 0.05F);
   EXPECT_EQ(samples.partInView(kBall, K, T_world_camera, {100, 0, 540, 480}), 0) << "behind a blind strip";

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> findAfter(const PaintedScene& scene, const DiscoveryP
   return ids;
 }
 
-/// The rules that region `id` breaks once it was seen often enough.
+/// The rules that region `id` breaks after enough frames.
 std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams& params, std::uint32_t id) {
   RegionCounter counter;
   const RegionCensus census = counter.count(scene.view.regions, scene.view.K.width);
@@ -98,7 +98,7 @@ TEST(RuleBasedFinder, NeedsPersistence) {
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   EXPECT_THAT(findAfter(scene, testParams(), 4), IsEmpty());
   EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
-  EXPECT_THAT(broken(scene, testParams(), 7), IsEmpty()) << "nothing else speaks against it";
+  EXPECT_THAT(broken(scene, testParams(), 7), IsEmpty()) << "it breaks no other rule";
 }
 
 TEST(RuleBasedFinder, ResetsPersistence_AfterAGapOrAChangeOfSize) {
@@ -141,7 +141,7 @@ TEST(RuleBasedFinder, RejectsRegions_WhenTheyTouchTheBorder) {
 }
 
 TEST(RuleBasedFinder, RejectsRegions_WhenTheyTouchAnUnlabeledStripAtTheEdge) {
-  // As a Kinect's depth: nothing in the last columns. What ends there is cut off.
+  // A Kinect's depth lacks the last columns, so regions that end there are cut off.
   PaintedScene scene;
   scene.paintBump(7, {115, 45, 40, 30}, 1.0F);
   DiscoveryParams params = testParams();
@@ -207,7 +207,7 @@ TEST(RuleBasedFinder, RejectsLongThinShapes) {
 }
 
 TEST(RuleBasedFinder, FindsOneObject_WhenAnOccluderDividesIt) {
-  // Something thin stands in front of it.
+  // A thin occluder is in front of it.
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   scene.paint(8, {78, 0, 4, 120}, [](int, int) { return 0.6F; });
@@ -245,7 +245,7 @@ TEST(RuleBasedFinder, RejectsBackgroundSeenThroughAGap) {
   scene.paintBump(7, {60, 45, 40, 30}, 1.3F, 0.2F);
   EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
   EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre("not background"));
-  // Nothing nearer but below it: an object behind another.
+  // A nearer surface only below it: an object behind another.
   scene.paint(2, {0, 0, 160, 45}, [](int, int) { return 1.3F; });
   scene.paint(2, {0, 45, 60, 75}, [](int, int) { return 1.3F; });
   scene.paint(2, {100, 45, 60, 75}, [](int, int) { return 1.3F; });
@@ -261,7 +261,7 @@ TEST(RuleBasedFinder, CandidateIsComplete_WhenSeenFromTwoSidesOrForLong) {
     std::vector<Candidate> found;
     for (int i = 0; i < frames; ++i) {
       PaintedScene scene;
-      // The camera goes round the thing, which lies 1 m ahead.
+      // The camera moves around the object, which is 1 m ahead.
       const Eigen::Vector3d center = scene.view.T_world_camera * Eigen::Vector3d(0, 0, 1);
       const double radians = degrees_a_frame * i * 3.14159265 / 180;
       scene.view.T_world_camera = Eigen::Translation3d(center) *
@@ -274,9 +274,9 @@ TEST(RuleBasedFinder, CandidateIsComplete_WhenSeenFromTwoSidesOrForLong) {
     return !found.empty() && found[0].is_complete;
   };
   EXPECT_FALSE(is_complete_after(10, 0)) << "from one side";
-  EXPECT_TRUE(is_complete_after(26, 0)) << "for long";
+  EXPECT_TRUE(is_complete_after(26, 0)) << "for many frames";
   EXPECT_TRUE(is_complete_after(10, 2)) << "from two sides";
-  EXPECT_FALSE(is_complete_after(6, 10)) << "seldom";
+  EXPECT_FALSE(is_complete_after(6, 10)) << "in too few frames";
 }
 
 TEST(RuleBasedFinder, PatchOfALargerPlaneIsNeverComplete) {

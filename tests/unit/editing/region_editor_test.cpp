@@ -14,10 +14,10 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A flat strip of voxels, z = 0, in a dictionary.
+/// A flat strip of voxels at z = 0.
 class StripMap final : public EditableMap {
  public:
-  void lay(FragmentId fragment, int from, int to) {
+  void setRange(FragmentId fragment, int from, int to) {
     for (int x = from; x < to; ++x) {
       for (int y = 0; y < 10; ++y) set(x, y, fragment);
     }
@@ -27,9 +27,9 @@ class StripMap final : public EditableMap {
   std::vector<SurfaceVoxel> surfaceOf(std::span<const FragmentId> fragments,
                                       std::span<const Eigen::Vector3f>) override {
     std::vector<SurfaceVoxel> voxels;
-    for (const auto& [place, fragment] : labels_) {
+    for (const auto& [position, fragment] : labels_) {
       if (std::ranges::find(fragments, fragment) != fragments.end())
-        voxels.push_back({{place.first, place.second, 0}, {0, 0, 1}, fragment});
+        voxels.push_back({{position.first, position.second, 0}, {0, 0, 1}, fragment});
     }
     return voxels;
   }
@@ -56,37 +56,37 @@ class RegionEditorTest : public testing::Test {
   RegionEditorTest() {
     for (int i = 0; i < 4; ++i) {
       fragments_.push_back(table_.newFragment());
-      map_.lay(fragments_.back(), 20 * i, 20 * (i + 1));
+      map_.setRange(fragments_.back(), 20 * i, 20 * (i + 1));
     }
   }
   RegionId regionAt(int x) const { return table_.regionOf(map_.at(x)); }
   Result<RegionEditor::Outcome> apply(Operation operation) { return editor_.apply(operation, params_); }
-  /// What frames do after an operation.
+  /// Updates the regions as each frame does after an operation.
   void partition() {
     RegionEvents events;
     updatePartition(fragments_, merger_.graph(), map_.voxelsOfFragments(), params_, table_, events);
   }
-  /// Looks that speak for one thing, or for two.
-  void see(FragmentId a, FragmentId b, bool one) {
+  /// Adds evidence of 20 frames that `a` and `b` are one object or two.
+  void addEvidence(FragmentId a, FragmentId b, bool is_one) {
     FragmentContact contact;
     contact.a = a;
     contact.b = b;
     contact.length_px = 100;
-    contact.bridged_px = one ? 100 : 0;
+    contact.bridged_px = is_one ? 100 : 0;
     contact.length_m = 0.3F;
     contact.depth_m = 1;
     contact.bends = 80;
-    contact.concavity_rad = one ? 0.F : 0.9F;
-    contact.color_shift = one ? 1.F : 40.F;
+    contact.concavity_rad = is_one ? 0.F : 0.9F;
+    contact.color_shift = is_one ? 1.F : 40.F;
     contact.colors = {*contact.color_shift, *contact.color_shift};
-    contact.folded = one ? 0.F : 1.F;
+    contact.folded = is_one ? 0.F : 1.F;
     auto& graph = const_cast<EvidenceGraph&>(merger_.graph());
-    for (int look = 0; look < 20; ++look) graph.between(a, b).add(contact, one ? 1 : 0);
+    for (int frame = 0; frame < 20; ++frame) graph.between(a, b).add(contact, is_one ? 1 : 0);
   }
-  /// Frames add a fragment to a region: 20 voxels wide from `from` on.
+  /// Adds a fragment to a region, as frames do: 20 voxels wide from `from` on.
   FragmentId grow(RegionId region, int from) {
     const FragmentId fragment = table_.newFragment();
-    map_.lay(fragment, from, from + 20);
+    map_.setRange(fragment, from, from + 20);
     table_.join(region, table_.regionOf(fragment));
     return fragment;
   }
@@ -104,19 +104,19 @@ class RegionEditorTest : public testing::Test {
   std::vector<FragmentId> fragments_;
 };
 
-TEST_F(RegionEditorTest, AJoinHoldsAgainstWhateverIsSeen) {
+TEST_F(RegionEditorTest, JoinHolds_AgainstEvidenceOfTwoObjects) {
   const RegionId first = regionAt(10), second = regionAt(30);
   const auto outcome = apply({.kind = OperationKind::join, .regions = {first, second}});
   ASSERT_TRUE(outcome);
   EXPECT_THAT(outcome->regions, ElementsAre(first));
   EXPECT_THAT(outcome->events.joined, ElementsAre(std::pair(first, second)));
   EXPECT_EQ(regionAt(30), first);
-  see(fragments_[0], fragments_[1], false);
+  addEvidence(fragments_[0], fragments_[1], false);
   partition();
   EXPECT_EQ(regionAt(30), regionAt(10));
 }
 
-TEST_F(RegionEditorTest, UndoAndRedoOfAllGiveTheSameTables) {
+TEST_F(RegionEditorTest, RestoresTheTables_WhenAllIsUndoneAndRedone) {
   ASSERT_TRUE(apply({.kind = OperationKind::name, .regions = {regionAt(10)}, .name = "mug"}));
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
   ASSERT_TRUE(apply({.kind = OperationKind::cut,
@@ -129,7 +129,7 @@ TEST_F(RegionEditorTest, UndoAndRedoOfAllGiveTheSameTables) {
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(editor_.undo());
   EXPECT_FALSE(editor_.undo());
   EXPECT_EQ(all(), (std::vector{RegionId{1}, RegionId{2}, RegionId{3}, RegionId{4}}));
-  EXPECT_EQ(regionAt(42), regionAt(58)) << "one thing again";
+  EXPECT_EQ(regionAt(42), regionAt(58)) << "one region again";
   EXPECT_TRUE(editor_.notes().all().empty());
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(editor_.redo());
   EXPECT_FALSE(editor_.redo());
@@ -137,14 +137,14 @@ TEST_F(RegionEditorTest, UndoAndRedoOfAllGiveTheSameTables) {
   EXPECT_EQ(editor_.notes().all(), notes);
 }
 
-TEST_F(RegionEditorTest, ARedoneJoinTakesWhatFramesHaveAddedSince) {
+TEST_F(RegionEditorTest, RedoneJoinIncludesFragments_AddedSinceTheUndo) {
   const RegionId first = regionAt(10), second = regionAt(30);
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {first, second}}));
   ASSERT_TRUE(editor_.undo());
   grow(second, 80);
   ASSERT_TRUE(editor_.redo());
   EXPECT_EQ(regionAt(30), first);
-  EXPECT_EQ(regionAt(90), first) << "it was of the second region";
+  EXPECT_EQ(regionAt(90), first) << "it belonged to the second region";
   EXPECT_TRUE(table_.fragmentsOf(second).empty());
   ASSERT_TRUE(editor_.undo());
   EXPECT_EQ(regionAt(30), second);
@@ -152,19 +152,19 @@ TEST_F(RegionEditorTest, ARedoneJoinTakesWhatFramesHaveAddedSince) {
   EXPECT_EQ(regionAt(10), first);
 }
 
-TEST_F(RegionEditorTest, ARedoneJoinHoldsWhenTheFragmentThatHeldItIsGone) {
+TEST_F(RegionEditorTest, RedoneJoinHolds_WhenItsFragmentWasFreed) {
   const RegionId first = regionAt(10), second = regionAt(30);
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {first, second}}));
   ASSERT_TRUE(editor_.undo());
   const FragmentId grown = grow(second, 80);
-  editor_.forget(fragments_[1]);  // the frames found that no voxel holds it
+  editor_.forget(fragments_[1]);  // as when no voxel has its label any more
   table_.free(fragments_[1]);
   ASSERT_TRUE(editor_.redo());
   EXPECT_EQ(regionAt(90), first);
   EXPECT_EQ(merger_.constraintBetween(fragments_[0], grown), LinkConstraint::must_link);
 }
 
-TEST_F(RegionEditorTest, AnUndoneCutTakesBackWhatFramesHaveAddedToItsPart) {
+TEST_F(RegionEditorTest, UndoneCutReturnsFragments_AddedToItsPart) {
   const RegionId region = regionAt(50);
   const auto outcome = apply({.kind = OperationKind::cut,
                               .regions = {region},
@@ -176,13 +176,13 @@ TEST_F(RegionEditorTest, AnUndoneCutTakesBackWhatFramesHaveAddedToItsPart) {
   ASSERT_TRUE(editor_.undo());
   EXPECT_EQ(regionAt(42), region);
   EXPECT_EQ(regionAt(58), region);
-  EXPECT_EQ(regionAt(90), region) << "there is no part any more";
+  EXPECT_EQ(regionAt(90), region) << "the part no longer exists";
   ASSERT_TRUE(editor_.redo());
   EXPECT_EQ(regionAt(90), part);
   EXPECT_NE(regionAt(42), regionAt(58));
 }
 
-TEST_F(RegionEditorTest, ACutGoesThroughAFragmentAndHolds) {
+TEST_F(RegionEditorTest, CutDividesAFragmentAndHolds_AgainstEvidenceOfOneObject) {
   const RegionId region = regionAt(50);
   const auto outcome = apply({.kind = OperationKind::cut,
                               .regions = {region},
@@ -195,22 +195,22 @@ TEST_F(RegionEditorTest, ACutGoesThroughAFragmentAndHolds) {
   EXPECT_NE(outcome->regions[0], outcome->regions[1]);
   EXPECT_TRUE(outcome->regions[0] == region || outcome->regions[1] == region);
   fragments_.push_back(map_.at(41) == fragments_[2] ? map_.at(58) : map_.at(41));
-  see(fragments_[2], fragments_.back(), true);
+  addEvidence(fragments_[2], fragments_.back(), true);
   partition();
   EXPECT_NE(regionAt(41), regionAt(58));
-  // Taken back, what is seen decides again.
+  // After the undo, evidence decides again.
   ASSERT_TRUE(editor_.undo());
   EXPECT_EQ(regionAt(41), regionAt(58));
   partition();
   EXPECT_EQ(regionAt(41), regionAt(58));
 }
 
-// What was drawn over stays on its side, however near the other one lies.
-TEST_F(RegionEditorTest, ACutByStrokesKeepsAllThatWasDrawnOverTogether) {
+// Voxels under a stroke stay on its side, however near the other stroke is.
+TEST_F(RegionEditorTest, CutByStrokesKeepsEachStrokeOnItsSide) {
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
   const RegionId region = regionAt(10);
   Operation cut{.kind = OperationKind::cut, .regions = {region}};
-  // One click each would part the 40 voxels in the middle.
+  // Two single clicks would divide the 40 voxels in the middle.
   for (int x = 0; x <= 30; ++x)
     cut.here_world.push_back({0.01F * static_cast<float>(x) + 0.005F, 0.055F, 0.005F});
   for (int x = 34; x <= 39; ++x)
@@ -224,7 +224,7 @@ TEST_F(RegionEditorTest, ACutByStrokesKeepsAllThatWasDrawnOverTogether) {
   for (int x = 0; x < 40; ++x) EXPECT_EQ(regionAt(x), region) << x;
 }
 
-TEST_F(RegionEditorTest, ACutAtOnePlaceIsRefusedAndChangesNothing) {
+TEST_F(RegionEditorTest, RefusesACut_WhenBothPointsAreEqual) {
   const auto before = table_.regions();
   const auto refused = apply({.kind = OperationKind::cut,
                               .regions = {regionAt(50)},
@@ -236,7 +236,7 @@ TEST_F(RegionEditorTest, ACutAtOnePlaceIsRefusedAndChangesNothing) {
   EXPECT_TRUE(editor_.log().entries().empty());
 }
 
-TEST_F(RegionEditorTest, WhatWasCutOutOfAJoinedRegionGoesBackToWhereThatCameFrom) {
+TEST_F(RegionEditorTest, CutPartReturnsToItsOriginalRegion_WhenTheJoinIsUndone) {
   const RegionId second = regionAt(30);
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), second}}));
   ASSERT_TRUE(apply({.kind = OperationKind::cut,
@@ -254,12 +254,12 @@ TEST_F(RegionEditorTest, WhatWasCutOutOfAJoinedRegionGoesBackToWhereThatCameFrom
   EXPECT_EQ(table_.regions(), done);
 }
 
-TEST_F(RegionEditorTest, WhatFramesCutOutOfAJoinedRegionGoesBackToWhereThatCameFrom) {
+TEST_F(RegionEditorTest, SplitFragmentReturnsToItsOriginalRegion_WhenTheJoinIsUndone) {
   const RegionId first = regionAt(10), second = regionAt(30);
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {first, second}}));
   const auto splitOff = [&](FragmentId fragment, int from, int to) {
     const FragmentId part = table_.newFragmentBeside(fragment);
-    map_.lay(part, from, to);
+    map_.setRange(part, from, to);
     editor_.splitOff(part, fragment);
     return part;
   };
@@ -267,16 +267,16 @@ TEST_F(RegionEditorTest, WhatFramesCutOutOfAJoinedRegionGoesBackToWhereThatCameF
   const FragmentId of_part = splitOff(of_second, 38, 40);
   ASSERT_TRUE(editor_.undo());
   EXPECT_EQ(table_.regionOf(of_first), first);
-  EXPECT_EQ(table_.regionOf(of_second), second) << "as if nothing had been joined";
+  EXPECT_EQ(table_.regionOf(of_second), second) << "as without the join";
   EXPECT_EQ(table_.regionOf(of_part), second);
   ASSERT_TRUE(editor_.redo());
   EXPECT_EQ(table_.regionOf(of_second), first);
   EXPECT_EQ(table_.regionOf(of_part), first);
 }
 
-TEST_F(RegionEditorTest, UndoTakesBackNoMoreThanThePersonDid) {
+TEST_F(RegionEditorTest, UndoRevertsOnlyTheUsersJoin_WhenFramesJoinedMore) {
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
-  see(fragments_[1], fragments_[2], true);  // what frames find out meanwhile
+  addEvidence(fragments_[1], fragments_[2], true);  // evidence from frames after the join
   params_.joining_bias = 5;
   partition();
   params_.joining_bias = 0;
@@ -285,29 +285,29 @@ TEST_F(RegionEditorTest, UndoTakesBackNoMoreThanThePersonDid) {
   EXPECT_NE(regionAt(10), regionAt(30));
 }
 
-TEST_F(RegionEditorTest, NamedThingsAreNotJoinedByWhatIsSeen) {
+TEST_F(RegionEditorTest, EvidenceDoesNotJoinNamedRegions) {
   ASSERT_TRUE(apply({.kind = OperationKind::name, .regions = {regionAt(10)}, .name = "book"}));
   ASSERT_TRUE(apply({.kind = OperationKind::name, .regions = {regionAt(30)}, .name = "book"}));
   ASSERT_TRUE(apply({.kind = OperationKind::background, .regions = {regionAt(50)}}));
   ASSERT_TRUE(apply({.kind = OperationKind::background, .regions = {regionAt(70)}}));
-  for (std::size_t i = 0; i + 1 < 4; ++i) see(fragments_[i], fragments_[i + 1], true);
+  for (std::size_t i = 0; i + 1 < 4; ++i) addEvidence(fragments_[i], fragments_[i + 1], true);
   params_.joining_bias = 5;
   partition();
-  EXPECT_NE(regionAt(10), regionAt(30)) << "two of one kind side by side";
-  EXPECT_NE(regionAt(30), regionAt(50)) << "a thing and background";
-  EXPECT_EQ(regionAt(50), regionAt(70)) << "background is background";
-  // A person may.
+  EXPECT_NE(regionAt(10), regionAt(30)) << "two named objects of one kind";
+  EXPECT_NE(regionAt(30), regionAt(50)) << "an object and background";
+  EXPECT_EQ(regionAt(50), regionAt(70)) << "background joins background";
+  // A user may join them.
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
   partition();
   EXPECT_EQ(regionAt(10), regionAt(30));
 }
 
-TEST_F(RegionEditorTest, FinerAndCoarserAreOppositeWays) {
+TEST_F(RegionEditorTest, CoarserJoinsTheLikelierNeighbor) {
   const RegionId region = regionAt(10);
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {region, regionAt(30)}}));
   ASSERT_TRUE(editor_.undo());
-  see(fragments_[0], fragments_[1], true);
-  see(fragments_[1], fragments_[2], false);
+  addEvidence(fragments_[0], fragments_[1], true);
+  addEvidence(fragments_[1], fragments_[2], false);
   const auto coarser = apply({.kind = OperationKind::coarser, .regions = {regionAt(30)}});
   ASSERT_TRUE(coarser) << coarser.error().message();
   EXPECT_EQ(regionAt(10), regionAt(30)) << "with the likelier neighbour";
@@ -319,7 +319,7 @@ TEST_F(RegionEditorTest, StoresNamesAsTheCatalogueDoes_WhenTheyHaveBlanks) {
   Operation naming{OperationKind::name, {region}, " mug ", " cup"};
   const auto outcome = apply(naming);
   ASSERT_TRUE(outcome);
-  EXPECT_EQ(outcome->operation.name, "mug") << "it is what the catalogue and the session file get";
+  EXPECT_EQ(outcome->operation.name, "mug") << "catalogue and session file store this name";
   EXPECT_EQ(editor_.notes().of(region).name, "mug");
   EXPECT_EQ(editor_.notes().of(region).category, "cup");
 }
@@ -328,7 +328,7 @@ TEST_F(RegionEditorTest, NamingEndsBackground_UntilItIsUndone) {
   const RegionId region = regionAt(10);
   ASSERT_TRUE(apply({OperationKind::background, {region}}));
   ASSERT_TRUE(apply({OperationKind::name, {region}, "mug"}));
-  EXPECT_FALSE(editor_.notes().of(region).background) << "a data set leaves background out";
+  EXPECT_FALSE(editor_.notes().of(region).background) << "data sets omit background";
   ASSERT_TRUE(editor_.undo());
   EXPECT_TRUE(editor_.notes().of(region).background);
 }
@@ -343,7 +343,7 @@ TEST_F(RegionEditorTest, RefusesNames_WhenTheCatalogueWould) {
   EXPECT_TRUE(editor_.log().entries().empty());
 }
 
-TEST_F(RegionEditorTest, WhatIsNoMoreIsSaid) {
+TEST_F(RegionEditorTest, RefusesOperations_WhenARegionIsUnknownOrAlone) {
   const auto refused = apply({.kind = OperationKind::name, .regions = {RegionId{77}}, .name = "x"});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), HasSubstr("77"));
@@ -351,7 +351,7 @@ TEST_F(RegionEditorTest, WhatIsNoMoreIsSaid) {
   EXPECT_FALSE(apply({.kind = OperationKind::coarser, .regions = {regionAt(10)}}));
 }
 
-TEST(OperationLog, WhatWasUndoneStaysInTheLogWhenSomethingElseIsDone) {
+TEST(OperationLog, KeepsUndoneOperations_WhenAnotherIsAdded) {
   OperationLog log;
   log.add({.kind = OperationKind::reject, .regions = {RegionId{1}}}, {});
   log.add({.kind = OperationKind::object, .regions = {RegionId{2}}}, {});

@@ -61,7 +61,7 @@ TEST(SurfaceGraph, WeighsByEquation3_5) {
   EXPECT_NEAR(weightOf(-0.3F), concave * concave, 1e-5F) << "a ridge";
 }
 
-TEST(SurfaceGraph, VoxelsThatTouchByACornerAreNeighbors) {
+TEST(SurfaceGraph, VoxelsAreNeighbors_WhenTheyTouchAtACorner) {
   const SurfaceGraph graph = SurfaceGraph::of({{{0, 0, 0}, {0, 0, 1}, FragmentId{1}},
                                                {{-1, -1, 1}, {0, 0, 1}, FragmentId{1}},
                                                {{2, 0, 0}, {0, 0, 1}, FragmentId{1}}});
@@ -69,16 +69,16 @@ TEST(SurfaceGraph, VoxelsThatTouchByACornerAreNeighbors) {
   EXPECT_NEAR(graph.edges[0].length, std::sqrt(3.0F), 1e-6F);
 }
 
-TEST(SurfaceGraph, WhatIsPointedAtIsAroundThePlaceOrElseTheNearest) {
+TEST(SurfaceGraph, Around_FindsVoxelsInTheRadiusOrElseTheNearest) {
   const SurfaceGraph graph = boxOnFloor(20, 6);
   const Eigen::Vector3f corner = Eigen::Vector3f::Constant(0.5F * kVoxel_m);
-  EXPECT_EQ(graph.around(corner, kVoxel_m, 1.1F * kVoxel_m).size(), 3U) << "it, and two beside it";
+  EXPECT_EQ(graph.around(corner, kVoxel_m, 1.1F * kVoxel_m).size(), 3U) << "the voxel and two beside it";
   EXPECT_EQ(graph.around(corner - Eigen::Vector3f(0, 0, 0.1F), kVoxel_m, 0.01F),
             std::vector{voxelAt(graph, 0, 0, 0)});
 }
 
-// One click on each side is enough: the cut follows the fold, and does not go round what was pointed at.
-TEST(SplitSurface, PartsABoxFromTheFloorAlongTheFold) {
+// One click on each side is enough: the cut follows the fold instead of enclosing the clicked voxel.
+TEST(SplitSurface, DividesABoxFromTheFloorAlongTheFold) {
   const SurfaceGraph graph = boxOnFloor(60, 16);
   const std::uint32_t floor = voxelAt(graph, 5, 30, 0), top = voxelAt(graph, 30, 30, 16);
   const std::vector<std::uint8_t> side = splitSurface(graph, std::span(&floor, 1), std::span(&top, 1));
@@ -89,8 +89,8 @@ TEST(SplitSurface, PartsABoxFromTheFloorAlongTheFold) {
   EXPECT_LE(wrong, 130);
 }
 
-// On one smooth surface there is no fold: the middle between the two places it is.
-TEST(SplitSurface, PartsAPlaneInTheMiddle) {
+// A smooth surface has no fold, so the cut runs midway between both clicks.
+TEST(SplitSurface, DividesAPlaneInTheMiddle) {
   std::vector<SurfaceVoxel> voxels;
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < 60; ++x) voxels.push_back({{x, y, 0}, {0, 0, 1}, FragmentId{1}});
@@ -105,7 +105,7 @@ TEST(SplitSurface, PartsAPlaneInTheMiddle) {
   }
 }
 
-TEST(SplitSurface, WhatIsConnectedToNeitherStaysHere) {
+TEST(SplitSurface, AssignsVoxelsToTheFirstSide_WhenTheyTouchNeither) {
   const SurfaceGraph graph = SurfaceGraph::of({{{0, 0, 0}, {0, 0, 1}, FragmentId{1}},
                                                {{1, 0, 0}, {0, 0, 1}, FragmentId{1}},
                                                {{9, 0, 0}, {0, 0, 1}, FragmentId{1}}});
@@ -114,14 +114,14 @@ TEST(SplitSurface, WhatIsConnectedToNeitherStaysHere) {
             (std::vector<std::uint8_t>{0, 1, 0}));
 }
 
-TEST(SegmentSurface, TakesTheBoxFromTheFloorAtASmallK) {
+TEST(SegmentSurface, SeparatesTheBoxFromTheFloor_WhenKIsSmall) {
   const SurfaceGraph graph = boxOnFloor(60, 16);
   EXPECT_EQ(std::ranges::max(segmentSurface(graph, 1e6F, 50)), 0U) << "a large k: one part";
   const std::vector<std::uint32_t> part = segmentSurface(graph, 0.3F, 50);
   EXPECT_NE(part[voxelAt(graph, 5, 30, 0)], part[voxelAt(graph, 30, 30, 16)]);
   std::map<std::uint32_t, int> sizes;
-  for (const std::uint32_t one : part) ++sizes[one];
-  for (const auto& [one, size] : sizes) EXPECT_GE(size, 50);
+  for (const std::uint32_t label : part) ++sizes[label];
+  for (const auto& [label, size] : sizes) EXPECT_GE(size, 50);
 }
 
 }  // namespace

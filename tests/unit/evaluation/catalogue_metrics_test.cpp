@@ -30,8 +30,8 @@ ViewJudgment judge(const cv::Rect& box) {
   return judgeView(full(box.width, box.height), box, scene(), kObjects);
 }
 
-TEST(ViewJudgment, ByItsOverlap) {
-  // 4 x 4 of the mug's 20 pixels: IoU 0.8; 4 x 3: exactly 0.6, which is not more.
+TEST(JudgeView, VerdictFollowsTheOverlap) {
+  // 4 x 4 of the mug's 20 pixels: IoU 0.8. 4 x 3: exactly 0.6, not above it.
   EXPECT_EQ(judge({2, 2, 4, 4}).verdict, whole);
   EXPECT_THAT(judge({2, 2, 4, 4}).instances, ElementsAre(2));
   EXPECT_EQ(judge({2, 2, 4, 3}).verdict, part);
@@ -39,23 +39,22 @@ TEST(ViewJudgment, ByItsOverlap) {
   // Mug and bowl: 25 of 45 pixels are the bowl, IoU 0.56.
   EXPECT_EQ(judge({2, 2, 9, 5}).verdict, merger);
   EXPECT_THAT(judge({2, 2, 9, 5}).instances, ElementsAre(3, 2));
-  // The mug's lowest row and five rows' worth of table.
+  // One row of the mug and three rows of the table.
   EXPECT_EQ(judge({2, 6, 4, 4}).verdict, background);
   EXPECT_THAT(judge({2, 6, 4, 4}).instances, ElementsAre(1, 2));
-  // Two thirds of it a part of the mug, one third table: neither part nor background.
+  // Two thirds are mug, one third is table: neither part nor background.
   EXPECT_EQ(judge({2, 5, 4, 3}).verdict, merger);
   EXPECT_THAT(judge({2, 5, 4, 3}).instances, ElementsAre(2, 1));
 }
 
-TEST(ViewJudgment, WhatIsNotAnnotatedIsBackground) {
+TEST(JudgeView, IsBackground_WhenTheMaskIsNotAnnotated) {
   EXPECT_EQ(judge({18, 0, 2, 10}).verdict, background);
   EXPECT_THAT(judge({18, 0, 2, 10}).instances, IsEmpty());
   EXPECT_EQ(judgeView({}, {}, scene(), kObjects).verdict, background);
 }
 
-TEST(ViewJudgment, TheMaskLiesAtItsBoxAndIsBroughtToItsSize) {
-  // A mask at twice the resolution, of which only the left half is set: the mug, cut out together with the
-  // bowl.
+TEST(JudgeView, ScalesTheMaskToItsBox) {
+  // A mask at twice the resolution. The box shows mug and bowl; only the left half, the mug, is set.
   cv::Mat mask(10, 16, CV_8UC1, cv::Scalar(0));
   mask.colRange(0, 8) = 255;
   EXPECT_EQ(judgeView(mask, {2, 2, 8, 5}, scene(), kObjects).verdict, whole);
@@ -63,7 +62,7 @@ TEST(ViewJudgment, TheMaskLiesAtItsBoxAndIsBroughtToItsSize) {
   EXPECT_EQ(judgeView(full(4, 4), {-2, 2, 4, 4}, scene(), kObjects).verdict, background);
 }
 
-TEST(EntryJudgment, IsWholeInFourOfFiveViews) {
+TEST(JudgeEntry, IsWhole_WhenFourOfFiveViewsAre) {
   const ViewJudgment mug{whole, {2}};
   const ViewJudgment half{part, {2}};
   const ViewJudgment both{merger, {3, 2}};
@@ -78,14 +77,14 @@ TEST(EntryJudgment, IsWholeInFourOfFiveViews) {
   EXPECT_EQ(judgeEntry(poor).whole_views, 2);
 }
 
-TEST(EntryJudgment, TwoWholeObjectsInOneEntryAreAMerger) {
+TEST(JudgeEntry, IsAMerger_WhenViewsShowTwoWholeObjects) {
   const std::vector<ViewJudgment> views{{whole, {2}}, {whole, {3}}};
   EXPECT_EQ(judgeEntry(views).verdict, merger);
   EXPECT_THAT(judgeEntry(views).instances, ElementsAre(2, 3));
   EXPECT_EQ(judgeEntry({}).verdict, background);
 }
 
-TEST(TrueObjects, AreExpectedFromFiveToSixtyCentimetersInThirtyFrames) {
+TEST(ShouldBeFound, IsTrue_FromFiveToSixtyCentimetersInThirtyFrames) {
   EXPECT_TRUE(shouldBeFound({30, 0.05}));
   EXPECT_TRUE(shouldBeFound({300, 0.60}));
   EXPECT_FALSE(shouldBeFound({29, 0.2}));
@@ -94,7 +93,7 @@ TEST(TrueObjects, AreExpectedFromFiveToSixtyCentimetersInThirtyFrames) {
   EXPECT_FALSE(shouldBeFound({30, 0}));
 }
 
-TEST(TrueObjects, AreVisibleWithFourHundredPixelsOfAUsualImage) {
+TEST(CountVisible, CountsFrames_WithFourHundredPixelsAt640x480) {
   cv::Mat1i truth(240, 320, 1);          // a quarter of 640 x 480: 100 pixels
   truth(cv::Rect(0, 0, 10, 10)) = 2;     // 100
   truth(cv::Rect(100, 100, 11, 9)) = 3;  // 99
@@ -102,20 +101,20 @@ TEST(TrueObjects, AreVisibleWithFourHundredPixelsOfAUsualImage) {
   countVisible(truth, objects);
   countVisible(truth, objects);
   EXPECT_EQ(objects[2].frames, 2);
-  EXPECT_EQ(objects[2].entire_frames, 0) << "the border may hide some of it";
+  EXPECT_EQ(objects[2].entire_frames, 0) << "the border may cut it";
   EXPECT_EQ(objects[3].frames, 0);
   EXPECT_EQ(objects[4].frames, 0);
-  EXPECT_EQ(objects.size(), 3U) << "the table is none of them";
+  EXPECT_EQ(objects.size(), 3U) << "the table is not added";
 }
 
-TEST(TrueObjects, AreEntireAwayFromAllFourBorders) {
-  const std::map<int, cv::Rect> places{{2, {100, 100, 12, 12}}, {3, {0, 50, 12, 12}},
-                                       {4, {308, 50, 12, 12}},  {5, {150, 0, 12, 12}},
-                                       {6, {150, 228, 12, 12}}, {7, {1, 1, 12, 12}}};
+TEST(CountVisible, CountsEntireFrames_AwayFromAllFourBorders) {
+  const std::map<int, cv::Rect> boxes{{2, {100, 100, 12, 12}}, {3, {0, 50, 12, 12}},
+                                      {4, {308, 50, 12, 12}},  {5, {150, 0, 12, 12}},
+                                      {6, {150, 228, 12, 12}}, {7, {1, 1, 12, 12}}};
   cv::Mat1i truth(240, 320, 1);
   std::map<int, TrueObject> objects;
-  for (const auto& [instance, place] : places) {
-    truth(place) = instance;
+  for (const auto& [instance, box] : boxes) {
+    truth(box) = instance;
     objects[instance] = {};
   }
   countVisible(truth, objects);
@@ -128,10 +127,10 @@ TEST(TrueObjects, AreEntireAwayFromAllFourBorders) {
   EXPECT_FALSE(wasSeenEntirely({40, 0.7, 30}));
 }
 
-TEST(CatalogueMetrics, PurityAndCompletenessByHand) {
+TEST(EvaluateCatalogue, ReturnsKnownPurityAndCompleteness) {
   const std::vector<EntryJudgment> entries{
       {whole, {2}, 5, 5}, {whole, {2}, 1, 1}, {part, {3}, 2, 0}, {background, {1}, 1, 0}};
-  // 2, 3 and 6 are expected; 4 is too small, 5 was seen too shortly, 6 entirely too shortly.
+  // 2, 3 and 6 are expected. 4 is too small, 5 is in too few frames, and 6 is entire in too few frames.
   const std::map<int, TrueObject> objects{
       {2, {100, 0.1, 60}}, {3, {40, 0.3, 30}}, {4, {100, 0.03, 90}}, {5, {10, 0.2, 10}}, {6, {50, 0.3, 2}}};
   const CatalogueMetrics metrics = evaluateCatalogue(entries, objects);

@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-TEST(LongestSide, OfABoxThatIsTurned) {
+TEST(LongestSide, IsThatOfABox_WhenTurned) {
   const Eigen::AngleAxisf turn(0.7F, Eigen::Vector3f(1, 2, 3).normalized());
   std::vector<Eigen::Vector3f> points;
   for (int i = 0; i <= 20; ++i) {
@@ -21,11 +21,11 @@ TEST(LongestSide, OfABoxThatIsTurned) {
     }
   }
   EXPECT_NEAR(longestSide(points), 0.4, 0.001);
-  points.push_back({9, 9, 9});  // one stray reading
+  points.push_back({9, 9, 9});  // one outlier
   EXPECT_NEAR(longestSide(points), 0.4, 0.02);
 }
 
-TEST(LongestSide, OfTooFewPointsIsNotKnown) {
+TEST(LongestSide, IsZero_WhenPointsAreTooFew) {
   EXPECT_EQ(longestSide({}), 0);
   const std::vector<Eigen::Vector3f> two{{0, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(longestSide(two), 0);

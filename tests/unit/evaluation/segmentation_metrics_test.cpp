@@ -15,7 +15,7 @@
 namespace scantrove {
 namespace {
 
-/// An image cut by a vertical line: label 1 left of column `x`, 2 from it on.
+/// An image divided by a vertical line: label 1 left of column `x`, label 2 from it on.
 cv::Mat1i cutAt(int x, int width = 10, int height = 4) {
   cv::Mat1i labels(height, width, 2);
   labels.colRange(0, x) = 1;
@@ -58,13 +58,13 @@ TEST(Boundary, DistanceEqualsBruteForce) {
   }
 }
 
-TEST(Boundary, DistanceWithoutAnyBoundaryIsTheDiagonal) {
+TEST(Boundary, DistanceIsTheDiagonal_WithoutABoundary) {
   const cv::Mat1f distance = distanceToBoundary(boundaryPixels(cv::Mat1i(3, 4, 7)));
   EXPECT_FLOAT_EQ(distance(0, 0), 5);
   EXPECT_FLOAT_EQ(distance(2, 3), 5);
 }
 
-TEST(BoundaryError, OfALineThatIsShifted) {
+TEST(BoundaryError, IsTheMeanDistance_WhenALineIsShifted) {
   // Boundaries in columns 4 and 6 of 10: |d - d'| is 2 outside, 2 0 2 in columns 4 5 6 -> (9 * 2) / 10.
   const cv::Mat1b all(4, 10, static_cast<unsigned char>(255));
   const double error = boundaryError(boundaryPixels(cutAt(5)), boundaryPixels(cutAt(7)), all);
@@ -72,16 +72,16 @@ TEST(BoundaryError, OfALineThatIsShifted) {
   EXPECT_EQ(boundaryError(boundaryPixels(cutAt(5)), boundaryPixels(cutAt(5)), all), 0);
 }
 
-TEST(BoundaryError, OnlyWhereTruthIsAnnotated) {
-  // Truth: 1 in columns 0-4, nothing known from there on; its outline is a boundary in column 4. Segments:
-  // cuts in columns 4 and 8. |d - d'| is 0 in columns 0-4; in 5 ... 9 it would be 0 0 2 4 4.
+TEST(BoundaryError, IgnoresPixels_WithoutAnnotation) {
+  // Truth: 1 in columns 0-4, not annotated beyond; its boundary is column 4. Boundaries of the segments:
+  // columns 4 and 8. |d - d'| is 0 in columns 0-4; in 5 ... 9 it would be 0 0 2 4 4.
   cv::Mat1i truth = cutAt(5);
   truth.setTo(0, truth == 2);
   cv::Mat1i segments = cutAt(5);
   segments.colRange(9, 10) = 3;
   const SegmentationMetrics metrics = evaluateSegmentation(segments, truth);
   EXPECT_EQ(metrics.boundary_error, 0);
-  EXPECT_EQ(metrics.boundary_precision, 1) << "the cut in column 8 is neither right nor wrong";
+  EXPECT_EQ(metrics.boundary_precision, 1) << "the boundary in column 8 is not counted";
   EXPECT_EQ(metrics.boundary_recall, 1);
   const SegmentationMetrics all = evaluateSegmentation(segments, cutAt(5));
   EXPECT_NEAR(all.boundary_error, 1.0, 1e-6);
@@ -89,7 +89,7 @@ TEST(BoundaryError, OnlyWhereTruthIsAnnotated) {
   EXPECT_EQ(evaluateSegmentation(segments, cv::Mat1i(4, 10, 0)).boundary_error, 0);
 }
 
-TEST(BoundaryError, DoesNotCareAboutNamesOfLabels) {
+TEST(BoundaryError, IgnoresLabelValues) {
   cv::Mat1i renamed = cutAt(5);
   renamed.setTo(77, renamed == 1);
   EXPECT_EQ(evaluateSegmentation(renamed, cutAt(5)).boundary_error, 0);
@@ -107,7 +107,7 @@ TEST(BoundaryShare, CountsPixelsWithinTheTolerance) {
   EXPECT_EQ(boundaryShareNear(at4, none, 2), 0);
 }
 
-TEST(SegmentationMetrics, PrecisionRecallAndF) {
+TEST(SegmentationMetrics, ReturnsKnownPrecisionRecallAndF) {
   cv::Mat1i segments = cutAt(5);
   segments.colRange(9, 10) = 3;
   const SegmentationMetrics metrics = evaluateSegmentation(segments, cutAt(5));
@@ -116,7 +116,7 @@ TEST(SegmentationMetrics, PrecisionRecallAndF) {
   EXPECT_NEAR(metrics.boundary_f, 2.0 / 3, 1e-12);
 }
 
-TEST(SegmentationMetrics, CoverageByHand) {
+TEST(SegmentationMetrics, ReturnsKnownCoverage) {
   // Instances: 1 in columns 0-3 (16 px), 2 in columns 4-9 (24 px). Segments: 5 in columns 0-4 (20 px), 6 the
   // rest (20 px).
   cv::Mat1i segments = cutAt(5);
@@ -127,7 +127,7 @@ TEST(SegmentationMetrics, CoverageByHand) {
   EXPECT_NEAR(metrics.coverage, (iou_1 + iou_2) / 2, 1e-12);
   EXPECT_NEAR(metrics.coverage_weighted, (16 * iou_1 + 24 * iou_2) / 40, 1e-12);
   EXPECT_EQ(metrics.instances, 2);
-  // Segment 5 takes a sixth of instance 2: that instance is cut, and segment 5 holds two.
+  // Segment 5 covers a sixth of instance 2: instance 2 is over-segmented, segment 5 contains two instances.
   EXPECT_EQ(metrics.over_segmented, 1);
   EXPECT_EQ(metrics.under_segmented, 1);
 }
@@ -138,7 +138,7 @@ TEST(SegmentationMetrics, CountsOverAndUnderSegmentation) {
   quarters.colRange(6, 10) = 3;
   EXPECT_EQ(evaluateSegmentation(quarters, cv::Mat1i(4, 10, 1)).over_segmented, 1);
   EXPECT_EQ(evaluateSegmentation(cv::Mat1i(4, 10, 9), cutAt(5)).under_segmented, 1);
-  // A leak of less than a tenth is neither.
+  // A leak of less than a tenth counts as neither.
   cv::Mat1i leak(10, 40, 1);
   leak.colRange(20, 40) = 2;
   cv::Mat1i with_leak = leak.clone();
@@ -147,7 +147,7 @@ TEST(SegmentationMetrics, CountsOverAndUnderSegmentation) {
   EXPECT_EQ(evaluateSegmentation(with_leak, leak).over_segmented, 0);
 }
 
-TEST(SegmentationMetrics, UnlabeledIsNeitherInstanceNorSegment) {
+TEST(SegmentationMetrics, IgnoresUnlabeledPixels) {
   cv::Mat1i truth = cutAt(5);
   truth.setTo(0, truth == 2);
   cv::Mat1i segments = cutAt(5);
@@ -155,11 +155,11 @@ TEST(SegmentationMetrics, UnlabeledIsNeitherInstanceNorSegment) {
   const SegmentationMetrics metrics = evaluateSegmentation(segments, truth);
   EXPECT_EQ(metrics.instances, 1);
   EXPECT_EQ(metrics.coverage, 0);
-  // A segment that leaks into the background pays with its union.
+  // A segment that leaks into the background has a larger union.
   EXPECT_NEAR(evaluateSegmentation(cv::Mat1i(4, 10, 3), truth).coverage, 0.5, 1e-12);
 }
 
-TEST(SegmentationMetrics, LeavesOutSmallInstances) {
+TEST(SegmentationMetrics, IgnoresSmallInstances) {
   cv::Mat1i truth = cutAt(5);
   truth(0, 0) = 9;
   EXPECT_EQ(evaluateSegmentation(cutAt(5), truth).instances, 3);
@@ -195,7 +195,7 @@ TEST(SegmentationMetrics, CoverageEqualsBruteForceOnRandomImages) {
   }
 }
 
-TEST(SegmentationMetrics, SmallAndLargeInstancesApart) {
+TEST(SegmentationMetrics, SeparatesSmallAndLargeInstances) {
   // 64 x 48 pixels: a hundredth of 640 x 480, so small is 4 - 150 pixels.
   cv::Mat1i truth(48, 64, 0);
   truth(cv::Rect(0, 0, 3, 1)) = 1;     // 3: neither
@@ -216,14 +216,14 @@ TEST(SegmentationMetrics, SmallAndLargeInstancesApart) {
   EXPECT_EQ(metrics.large.over_half, 1);
 }
 
-TEST(SegmentationMetrics, TakesSixteenBitImages) {
+TEST(SegmentationMetrics, AcceptsSixteenBitImages) {
   cv::Mat segments, truth;
   cutAt(4).convertTo(segments, CV_16UC1);
   cutAt(5).convertTo(truth, CV_8UC1);
   EXPECT_EQ(evaluateSegmentation(segments, truth).instances, 2);
 }
 
-TEST(SegmentationMetrics, AverageSumsCountsAndIgnoresImagesWithoutInstances) {
+TEST(Averaged, SumsCountsAndIgnoresImages_WithoutInstances) {
   SegmentationMetrics a, b;
   a.boundary_error = 2;
   a.coverage = 0.8;

@@ -18,7 +18,7 @@ StampedPose at(double t, double x, double y = 0, double z = 0) {
   return pose;
 }
 
-/// A wavy path with turning camera.
+/// A wavy path of a turning camera.
 Trajectory wavyPath(int count) {
   Trajectory poses;
   for (int i = 0; i < count; ++i) {
@@ -41,7 +41,7 @@ Eigen::Isometry3d someMotion() {
          Eigen::AngleAxisd(1.1, Eigen::Vector3d(0.2, 0.9, -0.4).normalized());
 }
 
-TEST(ErrorSummary, OfAKnownSet) {
+TEST(SummarizeErrors, ReturnsKnownStatistics) {
   const ErrorSummary summary = summarizeErrors({4, 1, 3, 2});
   EXPECT_DOUBLE_EQ(summary.mean, 2.5);
   EXPECT_DOUBLE_EQ(summary.median, 2.5);
@@ -52,7 +52,7 @@ TEST(ErrorSummary, OfAKnownSet) {
   EXPECT_DOUBLE_EQ(summarizeErrors({5, 1, 9}).median, 5);
 }
 
-TEST(Associate, TakesTheNearestWithinTheLimit) {
+TEST(Associate, PairsTheNearestPose_WithinTheLimit) {
   const Trajectory truth{at(0.00, 0), at(0.05, 1), at(0.10, 2), at(0.50, 3)};
   const Trajectory estimate{at(0.02, 10), at(0.031, 11), at(0.071, 12), at(0.11, 13), at(0.30, 14)};
   const auto pairs = associate(estimate, truth);
@@ -63,7 +63,7 @@ TEST(Associate, TakesTheNearestWithinTheLimit) {
   EXPECT_EQ(pairs[2].estimate.timestamp_s, 0.11);
 }
 
-TEST(Associate, UsesATruthOnceForTheNearest) {
+TEST(Associate, UsesEachTruePoseOnce_ForTheNearest) {
   const Trajectory truth{at(1.0, 0)};
   const Trajectory estimate{at(0.99, 1), at(1.001, 2), at(1.01, 3)};
   const auto pairs = associate(estimate, truth);
@@ -92,8 +92,8 @@ TEST(Associate, EqualsBruteForceOnRandomTimes) {
         nearest = t.timestamp_s;
     }
     if (std::abs(nearest - e.timestamp_s) > 0.02) continue;
-    const auto held = best.find(nearest);
-    if (held == best.end() || std::abs(nearest - e.timestamp_s) < std::abs(nearest - held->second)) {
+    const auto previous = best.find(nearest);
+    if (previous == best.end() || std::abs(nearest - e.timestamp_s) < std::abs(nearest - previous->second)) {
       best[nearest] = e.timestamp_s;
     }
   }
@@ -108,7 +108,7 @@ TEST(Align, FindsAKnownMotion) {
   EXPECT_TRUE(alignRigidly(associate(estimate, truth)).isApprox(someMotion(), 1e-9));
 }
 
-TEST(Align, GivesARotationForPlanarAndMirroredPaths) {
+TEST(Align, ReturnsARotation_ForPlanarAndMirroredPaths) {
   Trajectory truth, estimate;
   for (int i = 0; i < 10; ++i) {
     truth.push_back(at(i, i, i * i % 7, 0));
@@ -123,7 +123,7 @@ TEST(Align, GivesARotationForPlanarAndMirroredPaths) {
       1e-9);
 }
 
-TEST(Align, IsNoWorseThanAnyMotionNearby) {
+TEST(Align, HasLowerCostThanNearbyMotions) {
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0, 0.05);
   const Trajectory truth = wavyPath(40);
@@ -150,7 +150,7 @@ TEST(Align, IsNoWorseThanAnyMotionNearby) {
   }
 }
 
-TEST(AbsoluteTrajectoryError, IsZeroUpToARigidMotionAndNotUpToScale) {
+TEST(AbsoluteTrajectoryError, IsZero_AfterARigidMotionButNotAfterScaling) {
   const Trajectory truth = wavyPath(60);
   EXPECT_NEAR(absoluteTrajectoryError(associate(moved(truth, someMotion()), truth)).rmse, 0, 1e-9);
   Trajectory scaled = truth;
@@ -158,9 +158,8 @@ TEST(AbsoluteTrajectoryError, IsZeroUpToARigidMotionAndNotUpToScale) {
   EXPECT_GT(absoluteTrajectoryError(associate(scaled, truth)).rmse, 0.05);
 }
 
-TEST(AbsoluteTrajectoryError, OfAKnownError) {
-  // Two straight parallel pieces whose ends differ by +-0.1 along the line: no rigid motion can improve on
-  // it.
+TEST(AbsoluteTrajectoryError, ReturnsAKnownError) {
+  // Two lines whose ends differ by +-0.1 along the line: no rigid motion reduces the error.
   const Trajectory truth{at(0, -1), at(1, 1)};
   const Trajectory estimate{at(0, -1.1), at(1, 1.1)};
   const ErrorSummary error = absoluteTrajectoryError(associate(estimate, truth));
@@ -169,7 +168,7 @@ TEST(AbsoluteTrajectoryError, OfAKnownError) {
   EXPECT_EQ(error.count, 2);
 }
 
-TEST(RelativePoseError, OfAConstantDrift) {
+TEST(RelativePoseError, IsTheDriftPerStep_WhenDriftIsConstant) {
   const double turn = 0.01;
   Trajectory truth, estimate;
   for (int i = 0; i < 11; ++i) {
