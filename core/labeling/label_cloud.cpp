@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "core/compute/kernel_types.h"
+#include "core/labeling/fit_buffer.h"
+#include "core/labeling/kernels/label_voxel.h"
 #include "embedded/labeling_kernels.h"
 
 namespace scantrove {
@@ -17,11 +17,16 @@ constexpr int kMissingCapacity = 1 << 16;  // missing bricks that one update can
 constexpr std::size_t kTurns = 4, kTurnPixels = 16;
 }  // namespace
 
-LabelCloud::LabelCloud(ComputeContext& compute)
-    : compute_(compute), counts_(compute.context(), 2), missing_(compute.context(), kMissingCapacity) {}
+LabelCloud::LabelCloud(ComputeContext& compute, PointExtractor extractor)
+    : compute_(compute),
+      extractor_(std::move(extractor)),
+      counts_(compute.context(), 2),
+      missing_(compute.context(), kMissingCapacity) {}
 
 Result<std::unique_ptr<LabelCloud>> LabelCloud::create(ComputeContext& compute) {
-  std::unique_ptr<LabelCloud> cloud(new LabelCloud(compute));
+  Result<PointExtractor> extractor = PointExtractor::create(compute);
+  if (!extractor) return fail(extractor.error());
+  std::unique_ptr<LabelCloud> cloud(new LabelCloud(compute, std::move(*extractor)));
   SCANTROVE_TRY(cloud->buildKernels());
   return cloud;
 }
@@ -29,13 +34,12 @@ Result<std::unique_ptr<LabelCloud>> LabelCloud::create(ComputeContext& compute) 
 Result<void> LabelCloud::buildKernels() {
   SCANTROVE_TRY(moveInto(project_labels_, compute_.kernel(kernels::labeling, "project_labels")));
   SCANTROVE_TRY(moveInto(update_labels_, compute_.kernel(kernels::labeling, "update_labels")));
-  SCANTROVE_TRY(moveInto(extract_points_, compute_.kernel(kernels::labeling, "extract_points")));
   return moveInto(relabel_voxels_, compute_.kernel(kernels::labeling, "relabel_voxels"));
 }
 
 std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {
   const int pixels = surface.K.pixels();
-  fit(projected_, static_cast<std::size_t>(pixels));
+  fitBuffer(compute_.context(), projected_, static_cast<std::size_t>(pixels));
   fitStamps(bricks);
   const Lanes& lanes = compute_.lanes();
   project_labels_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
@@ -99,8 +103,8 @@ void LabelCloud::listPixels(std::span<const FragmentId> merged, std::span<const 
     new_labels_host_.push_back(fragment | (at_once ? LABEL_AT_ONCE : 0U));
   }
   fitFragments(highest);
-  fit(pixels_, pixels_host_.size());
-  fit(new_labels_, new_labels_host_.size());
+  fitBuffer(compute_.context(), pixels_, pixels_host_.size());
+  fitBuffer(compute_.context(), new_labels_, new_labels_host_.size());
   pixels_.write(compute_.queue(), pixels_host_);
   new_labels_.write(compute_.queue(), new_labels_host_);
 }
@@ -139,8 +143,8 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
 void LabelCloud::fitStamps(const BrickMap& map) {
   const auto slots = static_cast<std::size_t>(std::max(1, map.device().slotEnd()));
   if (stamps_.size() >= slots) return;
-  fit(stamps_, slots);
-  fit(touched_, slots);
+  fitBuffer(compute_.context(), stamps_, slots);
+  fitBuffer(compute_.context(), touched_, slots);
   stamps_.fill(compute_.queue(), LABEL_BRICK_UNUSED);
 }
 
@@ -155,7 +159,7 @@ void LabelCloud::relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fra
   }
   map.beginFrame(std::vector<int>(pages.begin(), pages.end()));
   fitFragments(fragment.value);
-  fit(listed_, listed.size());
+  fitBuffer(compute_.context(), listed_, listed.size());
   listed_.write(compute_.queue(), listed);
   relabel_voxels_.launch(cl::NDRange(listed.size()), cl::NDRange(64), listed_,
                          static_cast<cl_int>(listed.size()), fragment.value, map.device().table(),
@@ -167,93 +171,6 @@ void LabelCloud::restoreVoxelCounts(std::vector<cl_int> voxels) {
   fitFragments(voxels.empty() ? 0 : static_cast<std::uint32_t>(voxels.size() - 1));
   std::ranges::copy(voxels, fragment_voxels_host_.begin());
   fragment_voxels_.write(compute_.queue(), fragment_voxels_host_);
-}
-
-LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks, BrickMap& map,
-                                        float truncation_vox) {
-  // First the bricks on the device; then, page by page, those in the file, through separate pools.
-  Extract found;
-  std::vector<cl_int4> listed;
-  std::vector<std::size_t> order;  // index in `bricks` of each brick of `found`
-  std::map<int, std::vector<std::size_t>> in_file;
-  const auto list = [&](std::size_t i, int slot) {
-    listed.push_back({{bricks[i].x(), bricks[i].y(), bricks[i].z(), slot}});
-    order.push_back(i);
-  };
-  for (std::size_t i = 0; i < bricks.size(); ++i) {
-    if (const int slot = map.device().slotOf(bricks[i]); slot != BRICK_NONE) {
-      list(i, slot);
-    } else if (const int page = map.pages().pageWith(bricks[i]); page != BRICK_NONE) {
-      in_file[page].push_back(i);
-    }
-  }
-  extractListed(listed, map.pools().distances(), map.pools().labels(), map.pools().colors(), map.voxelSize(),
-                truncation_vox, found);
-  for (const auto& [page, asked] : in_file) {
-    const std::vector<Eigen::Vector3i> in_page = map.bricksOfPage(page);
-    const std::optional<StoredPage> stored = map.readStored(page);
-    if (!stored) continue;
-    listed.clear();
-    for (const std::size_t i : asked) {
-      const auto place = std::ranges::find(in_page, bricks[i]);
-      if (place != in_page.end()) list(i, static_cast<int>(place - in_page.begin()));
-    }
-    const BrickContents& held = stored->contents;
-    fit(stored_distances_, held.voxels());
-    fit(stored_labels_, held.voxels());
-    fit(stored_colors_, held.voxels());
-    stored_distances_.write(compute_.queue(), held.distances);
-    stored_labels_.write(compute_.queue(), held.labels);
-    stored_colors_.write(compute_.queue(), held.colors);
-    extractListed(listed, stored_distances_, stored_labels_, stored_colors_, map.voxelSize(), truncation_vox,
-                  found);
-  }
-  found.first.push_back(static_cast<std::uint32_t>(found.points.size()));
-  if (in_file.empty() && order.size() == bricks.size()) return found;
-
-  std::vector<std::size_t> place(bricks.size(), order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = k;
-  Extract result;
-  result.points.reserve(found.points.size());
-  for (const std::size_t k : place) {
-    result.first.push_back(static_cast<std::uint32_t>(result.points.size()));
-    if (k == order.size()) continue;  // missing brick
-    result.points.insert(result.points.end(), found.points.begin() + found.first[k],
-                         found.points.begin() + found.first[k + 1]);
-  }
-  result.first.push_back(static_cast<std::uint32_t>(result.points.size()));
-  return result;
-}
-
-void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<cl_short>& distances,
-                               const Buffer<cl_uint>& labels, const Buffer<cl_uint>& colors,
-                               float voxel_size_m, float truncation_vox, Extract& extract) {
-  if (listed.empty()) return;
-  fit(listed_, listed.size());
-  fit(offsets_, listed.size());
-  fit(points_, 1);
-  listed_.write(compute_.queue(), listed);
-  const auto run = [&](int write) {
-    const auto band = static_cast<cl_int>(DISTANCE_ONE / truncation_vox);
-    extract_points_.launch(cl::NDRange(listed.size()), cl::NDRange(8), listed_,
-                           static_cast<cl_int>(listed.size()), distances, labels, colors, voxel_size_m, band,
-                           cl_int{write}, offsets_, points_);
-  };
-  run(0);
-  std::vector<cl_int> offsets(listed.size());
-  offsets_.read(compute_.queue(), std::span<cl_int>(offsets));
-  const auto before = static_cast<std::uint32_t>(extract.points.size());
-  cl_int total = 0;
-  for (cl_int& entry : offsets) {
-    extract.first.push_back(before + static_cast<std::uint32_t>(total));
-    total += std::exchange(entry, total);
-  }
-  if (total == 0) return;
-  fit(points_, static_cast<std::size_t>(total));
-  offsets_.write(compute_.queue(), offsets);
-  run(1);
-  extract.points.resize(before + static_cast<std::size_t>(total));
-  points_.read(compute_.queue(), std::span<LabelPoint>(extract.points).subspan(before));
 }
 
 }  // namespace scantrove

@@ -10,13 +10,14 @@
 #include "core/compute/compute_context.h"
 #include "core/fusion/brick_map.h"
 #include "core/fusion/surface_maps.h"
-#include "core/labeling/kernels/label_voxel.h"
 #include "core/labeling/labeling_params.h"
+#include "core/labeling/point_extractor.h"
 
 namespace scantrove {
 
 /// The label cloud (thesis 3.3.3): the fragment of every voxel, stored in the brick map (BrickPools::labels),
-/// and the number of voxels of each fragment, on the device or in the file. The context's thread.
+/// and the number of voxels of each fragment, on the device or in the file. Most of its more than twenty
+/// fields are buffers that stay allocated between frames. The context's thread.
 class LabelCloud {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LabelCloud>> create(ComputeContext& compute);
@@ -43,17 +44,15 @@ class LabelCloud {
   /// Voxels of each fragment, by fragment number; may end before the highest number if the rest have none.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return fragment_voxels_host_; }
 
-  /// Labelled voxels within one voxel of the surface, with colour, normal and distance from the surface.
-  struct Extract {
-    std::vector<LabelPoint> points;  ///< of all bricks, brick after brick
-    std::vector<std::uint32_t>
-        first;  ///< bricks.size() + 1: points of bricks[i] are [first[i], first[i + 1])
-  };
-  /// Bricks in the map's file are read and stay there. Listing the bricks of one page together reads it once.
-  [[nodiscard]] Extract extract(std::span<const Eigen::Vector3i> bricks, BrickMap& map, float truncation_vox);
+  using Extract = PointExtractor::Extract;
+  /// PointExtractor::extract().
+  [[nodiscard]] Extract extract(std::span<const Eigen::Vector3i> bricks, BrickMap& map,
+                                float truncation_vox) {
+    return extractor_.extract(bricks, map, truncation_vox);
+  }
 
  private:
-  explicit LabelCloud(ComputeContext& compute);
+  LabelCloud(ComputeContext& compute, PointExtractor extractor);
   [[nodiscard]] Result<void> buildKernels();
 
   /// Makes room for counts of fragments up to `highest`.
@@ -66,25 +65,15 @@ class LabelCloud {
   /// Fills pixels_ and new_labels_.
   void listPixels(std::span<const FragmentId> merged, std::span<const FragmentId> split_off, bool all);
   void fitStamps(const BrickMap& map);
-  /// Appends to `extract` the points of the bricks x, y, z, slot (of these pools), brick after brick.
-  void extractListed(std::span<const cl_int4> listed, const Buffer<cl_short>& distances,
-                     const Buffer<cl_uint>& labels, const Buffer<cl_uint>& colors, float voxel_size_m,
-                     float truncation_vox, Extract& extract);
-  template <class T>
-  void fit(Buffer<T>& buffer, std::size_t size) {
-    if (buffer.size() < size) buffer = Buffer<T>(compute_.context(), size + size / 2);
-  }
 
   ComputeContext& compute_;
-  Kernel project_labels_, update_labels_, extract_points_, relabel_voxels_;
-  Buffer<cl_int> stamps_, touched_, counts_, offsets_;
+  PointExtractor extractor_;
+  Kernel project_labels_, update_labels_, relabel_voxels_;
+  Buffer<cl_int> stamps_, touched_, counts_;
   Buffer<cl_int4> listed_, missing_;
-  Buffer<cl_short> stored_distances_;
-  Buffer<cl_uint> stored_labels_, stored_colors_;
   Buffer<cl_uint> projected_, new_labels_;
   Buffer<cl_int> pixels_;
   Buffer<cl_int> fragment_voxels_;
-  Buffer<LabelPoint> points_;
   std::vector<cl_int> touched_slots_, fragment_voxels_host_;
   std::vector<Eigen::Vector3i> touched_bricks_;
   std::vector<cl_uint> projected_host_, new_labels_host_;
