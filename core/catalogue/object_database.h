@@ -23,7 +23,8 @@ class DatabaseConnection;
 /// transaction: after kill -9 the file holds every call that returned. CatalogueModel defines operations on
 /// objects and their errors. Each change is stored with one row of `events`, which other instances read
 /// (changesAfter). Errors name the file. Nothing is ever deleted: the id of a hidden object gives an error
-/// that says what happened to it.
+/// that says what happened to it. It has more than thirty functions, because each operation of CatalogueModel
+/// is also a transaction here.
 ///
 /// Only SQLite may open the file while it is in use. Closing another descriptor in the same process drops
 /// SQLite's POSIX locks, and the next program that closes the catalogue deletes its journal.

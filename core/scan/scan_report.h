@@ -21,7 +21,7 @@ struct MapDrift {
   double most_m = 0;
 };
 
-/// The results of a scan; written as report.json.
+/// The results of a scan. It has more than twenty fields, one for each entry of report.json.
 struct ScanReport {
   std::string source;
   std::string device;

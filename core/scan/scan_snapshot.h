@@ -51,7 +51,7 @@ struct RegionChange {
 
 /// What the window shows: one immutable value, made by the worker and taken from the mailbox by the window.
 /// Snapshots may be skipped: `changed_bricks` and `changed_regions` of a skipped one are carried over into
-/// the next.
+/// the next. It has more than twenty fields, because all parts of the window must show the same frame.
 struct ScanSnapshot {
   ScanState state = ScanState::idle;
   int frame_index = -1;  ///< of the source

@@ -10,7 +10,7 @@
 namespace scantrove {
 
 /// Evidence whether some regions are one complete object, from one view and all known points of the map. See
-/// objectness_features.h for the model's features.
+/// objectness_features.h for the model's features, most of which are fields here: more than twenty.
 struct ObjectnessEvidence {
   float pixels = 0;  ///< of the regions, in an image of 320 x 240
   float shown = 1;   ///< part of the known points in view, occluded or not
