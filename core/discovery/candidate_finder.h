@@ -2,7 +2,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -47,10 +46,6 @@ class CandidateFinder : public CandidateSource {
   /// `from` has lost fragments.
   virtual void regionParted(RegionId from) = 0;
 };
-
-/// Applies the rules of thesis 5.1 (central, persistent in size, size in range, not flat, not eccentric, off
-/// the border) to regions and to sets of neighbours (ch. 6). Decides which of the accepted ones are complete.
-[[nodiscard]] std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& params);
 
 /// Keeps the best of candidates that share regions, ordered by their regions. Criteria in order: a match in
 /// the catalogue (`known`, by index, higher is better, 0: none), completeness, own outline, odds.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/compute/guarded.h"
+#include "core/discovery/rule_based_finder.h"
 #include "core/fusion/color_projection.h"
 #include "core/pipeline/map_memory.h"
 

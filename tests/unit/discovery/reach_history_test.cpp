@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "core/discovery/rule_based_finder.h"
 #include "tests/unit/discovery/painted_scene.h"
 
 namespace scantrove {

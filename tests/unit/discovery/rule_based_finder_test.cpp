@@ -6,6 +6,7 @@
 #include "core/discovery/region_outlines.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"
+#include "core/discovery/rule_based_finder.h"
 #include "tests/unit/discovery/painted_scene.h"
 
 namespace scantrove {
