@@ -4,8 +4,10 @@
 #include <numbers>
 #include <string>
 
+#include "core/synthetic/bowls_and_boxes.h"
+#include "core/synthetic/furniture.h"
 #include "core/synthetic/hash_random.h"
-#include "core/synthetic/objects.h"
+#include "core/synthetic/placed_part.h"
 #include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {

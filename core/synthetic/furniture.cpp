@@ -1,5 +1,6 @@
+#include "core/synthetic/furniture.h"
+
 #include "core/synthetic/lathe.h"
-#include "core/synthetic/objects.h"
 #include "core/synthetic/rounded_shapes.h"
 
 namespace scantrove::synthetic {

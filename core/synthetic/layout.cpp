@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/synthetic/objects.h"
+#include "core/synthetic/placed_part.h"
+#include "core/synthetic/random_boxes.h"
+#include "core/synthetic/random_things.h"
 
 namespace scantrove::synthetic {
 namespace {

@@ -3,9 +3,12 @@
 #include <numbers>
 #include <utility>
 
-#include "core/synthetic/objects.h"
+#include "core/synthetic/bowls_and_boxes.h"
+#include "core/synthetic/furniture.h"
 #include "core/synthetic/palette.h"
 #include "core/synthetic/person.h"
+#include "core/synthetic/random_furniture.h"
+#include "core/synthetic/random_things.h"
 #include "core/synthetic/random_walls.h"
 #include "core/synthetic/scene_recipe.h"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "core/synthetic/objects.h"
 #include "core/synthetic/palette.h"
+#include "core/synthetic/placed_part.h"
 #include "core/synthetic/rounded_shapes.h"
 
 namespace scantrove::synthetic {

@@ -2,7 +2,9 @@
 #include <numbers>
 
 #include "core/synthetic/camera_work.h"
-#include "core/synthetic/objects.h"
+#include "core/synthetic/placed_part.h"
+#include "core/synthetic/random_furniture.h"
+#include "core/synthetic/random_things.h"
 #include "core/synthetic/random_walls.h"
 #include "core/synthetic/scene_recipe.h"
 

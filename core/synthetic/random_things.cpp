@@ -1,8 +1,12 @@
 #include "core/synthetic/random_things.h"
 
+#include "core/synthetic/bowls_and_boxes.h"
+#include "core/synthetic/furniture.h"
 #include "core/synthetic/lathe.h"
-#include "core/synthetic/objects.h"
 #include "core/synthetic/palette.h"
+#include "core/synthetic/placed_part.h"
+#include "core/synthetic/random_boxes.h"
+#include "core/synthetic/random_vessels.h"
 #include "core/synthetic/rounded_shapes.h"
 
 namespace scantrove::synthetic {

@@ -3,26 +3,10 @@
 
 namespace scantrove::synthetic {
 
-// Small things of random size, shape and material, by kind.
-[[nodiscard]] Thing makeRandomMug(HashStream& random);
-[[nodiscard]] Thing makeRandomVase(HashStream& random);
-[[nodiscard]] Thing makeRandomBowl(HashStream& random);
-[[nodiscard]] Thing makeRandomPlate(HashStream& random);
-[[nodiscard]] Thing makeRandomCan(HashStream& random);  ///< flat above
-[[nodiscard]] Thing makeRandomJar(HashStream& random);  ///< flat above
-[[nodiscard]] Thing makeRandomBottle(HashStream& random);
-[[nodiscard]] Thing makeRandomRoll(HashStream& random);    ///< of paper or tape, hollow
-[[nodiscard]] Thing makeRandomFigure(HashStream& random);  ///< turned, with waists
-[[nodiscard]] Thing makeRandomBucket(HashStream& random);  ///< 20 - 40 cm, some with a plant
-[[nodiscard]] Thing makeRandomCarton(HashStream& random, double low_m,
-                                     double high_m);       ///< edges of that length
-[[nodiscard]] Thing makeRandomBook(HashStream& random);    ///< lying
-[[nodiscard]] Thing makeRandomBlocks(HashStream& random);  ///< L, T, U, stairs: boxes in one piece
-[[nodiscard]] Thing makeRandomLaptop(HashStream& random);
-[[nodiscard]] Thing makeRandomMonitor(HashStream& random);
-[[nodiscard]] Thing makeRandomShoe(HashStream& random);
-[[nodiscard]] Thing makeRandomToy(HashStream& random);      ///< a bear, a car, a ring, an arch, a ball
-[[nodiscard]] Thing makeRandomCushion(HashStream& random);  ///< lying
-[[nodiscard]] Thing makeRandomSuitcase(HashStream& random);
+// Random things; the stream determines kinds, sizes, shapes and colours.
+[[nodiscard]] Thing makeSmallThing(HashStream& random);  ///< 5 - 40 cm, for tables and shelves
+[[nodiscard]] Thing makeStackable(HashStream& random);   ///< a carton, a book, a block: flat above
+[[nodiscard]] Thing makeFloorThing(HashStream& random);  ///< 20 cm - 1 m: chair, basket, parcel, suitcase
+[[nodiscard]] Thing makeRandomToy(HashStream& random);   ///< a bear, a car, a ring, an arch, a ball
 
 }  // namespace scantrove::synthetic

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "core/synthetic/palette.h"
+#include "core/synthetic/placed_part.h"
+#include "core/synthetic/random_boxes.h"
+#include "core/synthetic/random_furniture.h"
 #include "core/synthetic/random_things.h"
 #include "core/synthetic/rounded_shapes.h"
 

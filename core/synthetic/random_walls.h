@@ -1,6 +1,6 @@
 #pragma once
 #include "core/synthetic/layout.h"
-#include "core/synthetic/objects.h"
+#include "core/synthetic/placed_part.h"
 
 namespace scantrove::synthetic {
 

@@ -1,5 +1,7 @@
+#include "core/synthetic/bowls_and_boxes.h"
+#include "core/synthetic/furniture.h"
 #include "core/synthetic/lathe.h"
-#include "core/synthetic/objects.h"
+#include "core/synthetic/placed_part.h"
 #include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {

@@ -28,6 +28,8 @@ struct SceneRecipe {
   std::vector<AnimatedPart> animated_parts = {};
 };
 
+// Recipes. Each source (room_scene.cpp, ...) defines one scene, or variants of one.
+
 /// A table with 17 things, 0.8 - 1.1 m away. The camera walks around it; 300 frames cover nearly half the
 /// circle.
 [[nodiscard]] SceneRecipe makeTabletopSet();

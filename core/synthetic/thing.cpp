@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/synthetic/objects.h"
+#include "core/synthetic/placed_part.h"
 
 namespace scantrove::synthetic {
 

@@ -43,26 +43,4 @@ struct Thing {
 /// Support of all parts along a unit direction, in the parent frame of their poses.
 [[nodiscard]] double reachOf(const std::vector<SyntheticScene::Part>& parts, const Vec3& direction);
 
-// Random things; the stream determines sizes, shapes and colours.
-[[nodiscard]] Thing makeSmallThing(HashStream& random);   ///< 5 - 40 cm, for tables and shelves
-[[nodiscard]] Thing makeStackable(HashStream& random);    ///< a carton, a book, a block: flat above
-[[nodiscard]] Thing makeFloorThing(HashStream& random);   ///< 20 cm - 1 m: chair, basket, parcel, suitcase
-[[nodiscard]] Thing makeContainer(HashStream& random);    ///< a tray or an open box; its stand is inside
-[[nodiscard]] Thing makeUprightBook(HashStream& random);  ///< spine towards -y
-/// A board, picture or pole whose upper end leans on a wall (y = 0 and behind it). The wall's upper edge is
-/// at `wall_height_m`, rounded with `edge_m`; the foot stands on z = 0.
-[[nodiscard]] Thing makeLeaning(HashStream& random, double wall_height_m, double edge_m);
-
-// Furniture: static and no object.
-[[nodiscard]] Thing makeRandomTable(HashStream& random, const Vec3& size);  ///< on legs or one foot
-[[nodiscard]] Thing makeDesk(HashStream& random, double length);            ///< with drawers on one side
-[[nodiscard]] Thing makeCupboard(HashStream& random, const Vec3& size);     ///< doors or drawers with handles
-[[nodiscard]] Thing makeBookcase(HashStream& random, const Vec3& size);     ///< open shelves
-[[nodiscard]] Thing makeSofa(HashStream& random, double length);
-[[nodiscard]] Thing makeBed(HashStream& random, double length);
-[[nodiscard]] Thing makePillar(HashStream& random);
-[[nodiscard]] Thing makeDoor(HashStream& random);  ///< door and frame
-[[nodiscard]] Thing makeCurtain(HashStream& random, double length);
-[[nodiscard]] Thing makeRug(HashStream& random);
-
 }  // namespace scantrove::synthetic

@@ -1,7 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/synthetic/objects.h"
+#include "core/synthetic/furniture.h"
+#include "core/synthetic/placed_part.h"
 #include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {

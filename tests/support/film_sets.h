@@ -4,7 +4,9 @@
 #include <numbers>
 #include <utility>
 
-#include "core/synthetic/objects.h"
+#include "core/synthetic/bowls_and_boxes.h"
+#include "core/synthetic/furniture.h"
+#include "core/synthetic/placed_part.h"
 #include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::test {

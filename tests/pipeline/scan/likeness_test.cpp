@@ -5,7 +5,9 @@
 
 #include "core/discovery/region_appearance.h"
 #include "core/fusion/kernels/color_voxel.h"
-#include "core/synthetic/objects.h"
+#include "core/synthetic/bowls_and_boxes.h"
+#include "core/synthetic/furniture.h"
+#include "core/synthetic/placed_part.h"
 #include "core/synthetic/scene_recipe.h"
 #include "tests/support/synthetic_scan.h"
 
