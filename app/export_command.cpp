@@ -7,9 +7,9 @@
 #include "app/core_application.h"
 #include "app/kernel_cache_use.h"
 #include "app/stop_signal.h"
+#include "core/dataset/catalogue_export.h"
 #include "core/dataset/centered_mesh.h"
 #include "core/dataset/dataset_export.h"
-#include "core/scan/catalogue_export.h"
 #include "core/session/session_scan.h"
 
 namespace scantrove {

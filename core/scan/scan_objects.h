@@ -9,9 +9,9 @@
 #include "core/capture/rgbd_frame.h"
 #include "core/collection/object_collector.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/scan_joins.h"
 #include "core/session/region_label.h"
 #include "core/session/saved_scan.h"
+#include "core/session/scan_joins.h"
 
 namespace scantrove {
 

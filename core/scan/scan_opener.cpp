@@ -6,8 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/capture/no_frames.h"
 #include "core/catalogue/object_database.h"
-#include "core/scan/no_frames.h"
 #include "core/scan/open_source.h"
 #include "core/session/catalogue_numbers.h"
 #include "core/session/open_session.h"

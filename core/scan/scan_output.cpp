@@ -13,9 +13,14 @@
 #include "core/exchange/label_map_writer.h"
 #include "core/exchange/region_palette.h"
 #include "core/exchange/trajectory_writer.h"
+#include "core/scan/open_source.h"
 #include "core/scan/report_json.h"
 
 namespace scantrove {
+
+ScanOutput::ScanOutput(std::filesystem::path folder)
+    : folder_(std::move(folder)),
+      final_labels_(folder_, [](const std::string& source) { return openSource(source, {}); }) {}
 
 Result<std::unique_ptr<ScanOutput>> ScanOutput::create(const std::filesystem::path& folder, bool label_maps) {
   SCANTROVE_TRY(prepareOutputFolder(folder));

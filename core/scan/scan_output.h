@@ -6,10 +6,10 @@
 #include "core/base/stamped_pose.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/final_label_images.h"
-#include "core/scan/frame_label_writer.h"
-#include "core/scan/region_numbers.h"
 #include "core/scan/scan_report.h"
+#include "core/session/final_label_images.h"
+#include "core/session/frame_label_writer.h"
+#include "core/session/region_numbers.h"
 #include "core/session/saved_scan.h"
 
 namespace scantrove {
@@ -49,7 +49,7 @@ class ScanOutput {
   [[nodiscard]] std::size_t cloudPoints() const { return cloud_points_; }
 
  private:
-  explicit ScanOutput(std::filesystem::path folder) : folder_(std::move(folder)), final_labels_(folder_) {}
+  explicit ScanOutput(std::filesystem::path folder);
 
   [[nodiscard]] Result<void> writeCloud(MappingPipeline& pipeline,
                                         const std::map<RegionId, RegionLabel>& labels);

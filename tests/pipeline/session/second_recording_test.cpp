@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/frame_label_writer.h"
 #include "core/scan/open_source.h"
+#include "core/session/frame_label_writer.h"
 #include "core/session/open_session.h"
 #include "core/session/session_store.h"
 #include "tests/support/scan_runner.h"

@@ -1,4 +1,4 @@
-#include "core/scan/final_label_images.h"
+#include "core/session/final_label_images.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,6 @@
 #include "core/base/checksum.h"
 #include "core/base/regular_file.h"
 #include "core/exchange/atomic_file.h"
-#include "core/scan/open_source.h"
 #include "core/session/key_frame_files.h"
 
 namespace scantrove {
@@ -125,7 +124,7 @@ Result<void> FinalLabelImages::drawFrom(const SavedRecording& recording, const s
     note("only key frames of a camera are kept");
     return {};
   }
-  const Result<std::unique_ptr<FrameSource>> source = openSource(recording.source, {});
+  const Result<std::unique_ptr<FrameSource>> source = open_(recording.source);
   if (!source) {
     note("the recording " + recording.source + " cannot be read any more");
     return {};

@@ -1,4 +1,4 @@
-#include "core/scan/region_numbers.h"
+#include "core/session/region_numbers.h"
 
 #include <gtest/gtest.h>
 

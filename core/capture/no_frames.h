@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-/// The source of a session without new frames: it provides the camera, and is at its end.
+/// A source that is at its end from the start: it only describes its camera.
 class NoFrames final : public FrameSource {
  public:
   explicit NoFrames(SourceInfo info) : info_(std::move(info)) {}

@@ -1,4 +1,4 @@
-#include "core/scan/final_label_images.h"
+#include "core/session/final_label_images.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/exchange/label_image_writer.h"
-#include "core/scan/open_source.h"
+#include "core/synthetic/synthetic_source.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove {
@@ -19,6 +19,13 @@ using testing::HasSubstr;
 
 constexpr int kRecorded = 3;
 constexpr const char* kRecording = "demo:tabletop:3";
+
+/// Fails for a source that is no demo.
+Result<std::unique_ptr<FrameSource>> openRecording(const std::string& source) {
+  if (!source.starts_with("demo:")) return fail("There is no " + source + ".");
+  return makeSyntheticSource(source.substr(5), {})
+      .map([](std::unique_ptr<SyntheticSource> opened) -> std::unique_ptr<FrameSource> { return opened; });
+}
 
 /// A map that shows one region 1 m away from every pose.
 FrameLabelWriter::RenderView mapOfRegion(std::uint32_t region) {
@@ -38,7 +45,7 @@ class FinalLabelImagesTest : public testing::Test {
   void SetUp() override {
     for (const char* part : {"segments", "labels", "labels-final"})
       std::filesystem::create_directories(folder_ / part);
-    const auto source = openSource(kRecording, {});
+    const auto source = openRecording(kRecording);
     ASSERT_TRUE(source);
     RegionNumbers numbers;
     FrameLabelWriter writer(folder_.path(), numbers);
@@ -100,7 +107,7 @@ class FinalLabelImagesTest : public testing::Test {
 
   test::TemporaryFolder folder_;
   SavedScan earlier_;
-  FinalLabelImages images_{folder_.path()};
+  FinalLabelImages images_{folder_.path(), openRecording};
   int stored_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "core/scan/catalogue_export.h"
+#include "core/dataset/catalogue_export.h"
 
 #include <spdlog/fmt/fmt.h>
 

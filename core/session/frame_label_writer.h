@@ -11,9 +11,9 @@
 
 #include "core/base/result.h"
 #include "core/fusion/rendered_view.h"
-#include "core/scan/region_numbers.h"
 #include "core/segmentation/segment_map.h"
 #include "core/session/final_label_record.h"
+#include "core/session/region_numbers.h"
 
 namespace scantrove {
 

@@ -2,15 +2,16 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/capture/rgbd_frame.h"
-#include "core/scan/frame_label_writer.h"
-#include "core/scan/region_numbers.h"
+#include "core/capture/frame_source.h"
 #include "core/session/final_label_record.h"
+#include "core/session/frame_label_writer.h"
+#include "core/session/region_numbers.h"
 #include "core/session/saved_scan.h"
 
 namespace scantrove {
@@ -24,8 +25,12 @@ class FinalLabelImages {
   /// Stores the record in the session. Error: the disk.
   using StoreRecord = std::function<Result<void>(const FinalLabelRecord&)>;
 
+  /// Opens a recording by SavedRecording::source.
+  using OpenRecording = std::function<Result<std::unique_ptr<FrameSource>>(const std::string& source)>;
+
   /// `folder`: of the scan.
-  explicit FinalLabelImages(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  FinalLabelImages(std::filesystem::path folder, OpenRecording open)
+      : folder_(std::move(folder)), open_(std::move(open)) {}
 
   /// The session's existing images, which redraw() draws again.
   void begin(const SavedScan& earlier);
@@ -55,6 +60,7 @@ class FinalLabelImages {
   void remarkOnRest();
 
   std::filesystem::path folder_;
+  OpenRecording open_;
   SavedScan earlier_;  // frames, key frames and recordings
   FinalLabelRecord record_;
   std::map<int, FinalLabelImage*> pending_;  // by frame index

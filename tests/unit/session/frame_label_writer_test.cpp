@@ -1,4 +1,4 @@
-#include "core/scan/frame_label_writer.h"
+#include "core/session/frame_label_writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/scan/scan_joins.h"
+#include "core/session/scan_joins.h"
 
 #include <algorithm>
 #include <iterator>
