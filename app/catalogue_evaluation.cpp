@@ -21,7 +21,7 @@ struct Entry {
 
 constexpr const char* wordFor(CatalogueVerdict verdict) {
   switch (verdict) {
-    case CatalogueVerdict::whole:
+    case CatalogueVerdict::complete:
       return "whole";
     case CatalogueVerdict::part:
       return "part";
@@ -107,7 +107,7 @@ Json toJson(const Entry& entry, const EntryJudgment& judgment, const TrueScene& 
           {"verdict", wordFor(judgment.verdict)},
           {"of", namesOf(judgment.instances, scene)},
           {"views", judgment.views},
-          {"whole_views", judgment.whole_views}};
+          {"whole_views", judgment.complete_views}};
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ Result<Json> evaluateCatalogueOf(const std::string& scan, const std::string& tru
               {"seen_entirely", metrics.seen_entirely},
               {"completeness_of_entire", metrics.completeness_of_entire},
               {"entries", metrics.entries},
-              {"whole", metrics.whole},
+              {"whole", metrics.complete},
               {"duplicates", metrics.duplicates},
               {"expected", metrics.expected},
               {"missing", namesOf(metrics.missing, *scene)},

@@ -63,7 +63,7 @@ struct NameDropped {
   std::optional<Error> why;  ///< none: it was deleted
 };
 /// A user's name was reverted, except for later changes by others. Edits follow.
-struct NameTakenBack {
+struct NamingReverted {
   ObjectId object;
 };
 /// Views of the object showed something else and were removed from it. Edits follow.
@@ -83,6 +83,6 @@ struct Failed {
 using CatalogueEvent =
     std::variant<event::ObjectStored, event::ObjectRefused, event::ViewStored, event::ViewDropped,
                  event::MergeStored, event::MergeDropped, event::NameStored, event::NameDropped,
-                 event::NameTakenBack, event::ViewsDiscarded, event::Edited, event::Failed>;
+                 event::NamingReverted, event::ViewsDiscarded, event::Edited, event::Failed>;
 
 }  // namespace scantrove

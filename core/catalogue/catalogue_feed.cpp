@@ -6,7 +6,7 @@
 namespace scantrove {
 
 /// Sorts changes of the database by what they need. The scan's own changes are taken out.
-struct CatalogueFeed::Following {
+struct CatalogueFeed::ChangeFilter {
   const CatalogueFeed& feed;
   std::set<ObjectId> first_views = feed.first_views_;                          ///< still expected
   std::multiset<std::pair<ObjectId, ObjectId>> own_merges = feed.own_merges_;  ///< still expected
@@ -42,13 +42,13 @@ void CatalogueFeed::expectMerge(const ObjectMerge& merge) {
   for (const ObjectId from : merge.from) own_merges_.emplace(merge.into, from);
 }
 
-Result<CatalogueEdits> CatalogueFeed::follow() {
+Result<CatalogueEdits> CatalogueFeed::readEdits() {
   const Result<CatalogueChanges> changes = database_.changesAfter(position_.event);
   if (!changes) return fail(changes.error());
-  Following following{*this};
-  for (const CatalogueChange& change : changes->changes) following(change);
+  ChangeFilter filter{*this};
+  for (const CatalogueChange& change : changes->changes) filter(change);
   CatalogueEdits edits;
-  edits.changes = std::move(following.changes);
+  edits.changes = std::move(filter.changes);
   CataloguePosition now{changes->last_event, position_.view};
   if (std::ranges::any_of(edits.changes, &CatalogueChange::movesViews)) SCANTROVE_TRY(readObjects(edits));
   std::set<ObjectId> changed;
@@ -59,15 +59,15 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
     has_views = has_views || change.kind == CatalogueChange::Kind::view_added;
   }
   for (const ObjectId object : changed) SCANTROVE_TRY(readRecord(object, edits));
-  own_views_.insert(following.own_first_views.begin(), following.own_first_views.end());
+  own_views_.insert(filter.own_first_views.begin(), filter.own_first_views.end());
   if (has_views) SCANTROVE_TRY(readViews(edits, now.view));
   // Everything is read: nothing can fail from here on.
   for (const CatalogueChange& change : edits.changes) {
     if (change.kind == CatalogueChange::Kind::unmerged)
       kept_apart_.insert(std::minmax(change.object(), change.mergeTarget()));
   }
-  first_views_ = std::move(following.first_views);
-  own_merges_ = std::move(following.own_merges);
+  first_views_ = std::move(filter.first_views);
+  own_merges_ = std::move(filter.own_merges);
   std::erase_if(own_views_, [&](std::int64_t view) { return view <= now.view; });
   position_ = now;
   return edits;

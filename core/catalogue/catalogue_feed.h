@@ -28,7 +28,7 @@ class CatalogueFeed {
 
   /// Takes far below a millisecond if nothing changed or a user only renamed or confirmed. Nothing is lost
   /// on an error: the next call continues.
-  [[nodiscard]] Result<CatalogueEdits> follow();
+  [[nodiscard]] Result<CatalogueEdits> readEdits();
 
   /// How far the catalogue was read.
   [[nodiscard]] CataloguePosition position() const { return position_; }
@@ -42,7 +42,7 @@ class CatalogueFeed {
   }
 
  private:
-  struct Following;
+  struct ChangeFilter;
   /// Reads nothing for a hidden object.
   [[nodiscard]] Result<void> readRecord(ObjectId object, CatalogueEdits& edits);
   [[nodiscard]] Result<void> readObjects(CatalogueEdits& edits);

@@ -158,7 +158,7 @@ Result<std::vector<ObjectId>> CatalogueJobs::mergeRootsOf(const job::Merge& job)
 
 Result<bool> CatalogueJobs::mayMerge(const std::vector<ObjectId>& pair) {
   // A user may have undone such a merge by now.
-  Result<CatalogueEdits> edits = feed_->follow();
+  Result<CatalogueEdits> edits = feed_->readEdits();
   if (!edits) return fail(edits.error());
   if (!edits->isEmpty()) notify_({event::Edited{std::move(*edits)}});
   if (feed_->areKeptApart(pair[0], pair[1])) return false;
@@ -197,7 +197,7 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Name& job) {
                      std::array{object, *root, naming->object});
 }
 
-Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::TakeNameBack& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::RevertNaming& job) {
   if (job.earlier) namings_.try_emplace(job.naming, *job.earlier);
   const auto found = namings_.find(job.naming);
   if (found == namings_.end()) return Events{};  // it was dropped
@@ -208,7 +208,7 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::TakeNameBack& jo
   namings_.erase(found);
   std::vector<ObjectId> changed{naming.object};
   if (naming.merge) changed.insert(changed.end(), naming.merge->from.begin(), naming.merge->from.end());
-  return withRecords(event::NameTakenBack{naming.object}, changed);
+  return withRecords(event::NamingReverted{naming.object}, changed);
 }
 
 Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Withdraw& job) {
@@ -238,7 +238,7 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::EndSession& /*jo
   SCANTROVE_TRY(database_->sessions().end(session_));
   // The final report on this scan's jobs; unreadable objects keep their last known state.
   Events events;
-  Result<CatalogueEdits> edits = feed_->follow();
+  Result<CatalogueEdits> edits = feed_->readEdits();
   if (edits && !edits->isEmpty()) events.push_back(event::Edited{std::move(*edits)});
   const std::vector<ObjectId> touched(touched_.begin(), touched_.end());
   edits = feed_->reread(touched);

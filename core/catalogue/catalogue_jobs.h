@@ -38,7 +38,7 @@ struct Name {
   std::string name;
   int again = 0;
 };
-struct TakeNameBack {
+struct RevertNaming {
   int naming = 0;
   std::optional<ObjectNaming> earlier;
 };
@@ -53,7 +53,7 @@ struct EndSession {};
 }  // namespace job
 
 using CatalogueJob = std::variant<job::BeginSession, job::AddObject, job::AddView, job::Merge, job::Name,
-                                  job::TakeNameBack, job::Withdraw, job::DiscardViews, job::EndSession>;
+                                  job::RevertNaming, job::Withdraw, job::DiscardViews, job::EndSession>;
 
 /// Executes a scan's jobs in the catalogue over its own connection: the database part of CatalogueWriter.
 /// One thread, the writer's, from open() to close().
@@ -83,7 +83,7 @@ class CatalogueJobs {
   /// Executes one job. Error: the catalogue failed, and the job must be tried again.
   [[nodiscard]] Result<Outcome> attempt(CatalogueJob& job);
   /// Changes by others since the last call.
-  [[nodiscard]] Result<CatalogueEdits> readEdits() { return feed_->follow(); }
+  [[nodiscard]] Result<CatalogueEdits> readEdits() { return feed_->readEdits(); }
 
   /// The session, and the newest event that was read when the catalogue was closed.
   [[nodiscard]] std::int64_t session() const { return session_; }
@@ -97,7 +97,7 @@ class CatalogueJobs {
   [[nodiscard]] Result<Events> execute(job::AddView& job);
   [[nodiscard]] Result<Events> execute(const job::Merge& job);
   [[nodiscard]] Result<Events> execute(const job::Name& job);
-  [[nodiscard]] Result<Events> execute(const job::TakeNameBack& job);
+  [[nodiscard]] Result<Events> execute(const job::RevertNaming& job);
   [[nodiscard]] Result<Events> execute(const job::Withdraw& job);
   [[nodiscard]] Result<Events> execute(const job::DiscardViews& job);
   [[nodiscard]] Result<Events> execute(const job::EndSession& job);

@@ -59,7 +59,7 @@ Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
   return position;
 }
 
-std::vector<ObjectId> CatalogueMirror::ofBefore() const {
+std::vector<ObjectId> CatalogueMirror::earlierObjects() const {
   std::vector<ObjectId> objects;
   for (const auto& [key, record] : records_) {
     if (!isOfThisScan(key)) objects.push_back(key);
@@ -105,7 +105,7 @@ void CatalogueMirror::updateRoots() {
     detector_.setMergeRoot({object, model_.mergeRoot(object)});
 }
 
-void CatalogueMirror::followModel() {
+void CatalogueMirror::updateFromModel() {
   for (const CatalogueChange& change : model_.takeChanges()) {
     const ObjectState& object = change.after;
     if (change.kind == CatalogueChange::Kind::merged) {
@@ -181,7 +181,7 @@ void CatalogueMirror::addView(const ObjectView& view) {
 void CatalogueMirror::merge(ObjectId a, ObjectId b) {
   merges_to_come_.emplace_back(a, b);
   static_cast<void>(model_.merge(std::array{a, b}));
-  followModel();
+  updateFromModel();
 }
 
 void CatalogueMirror::join(ObjectId into, ObjectId from) {
@@ -204,7 +204,7 @@ void CatalogueMirror::name(ObjectId object, const std::string& name) {
 void CatalogueMirror::applyName(ObjectId object, const std::string& name) {
   if (!mergeRootOf(object)) return;
   static_cast<void>(model_.nameByUser(object, name));
-  followModel();
+  updateFromModel();
 }
 
 void CatalogueMirror::withdraw(ObjectId object) {
@@ -216,7 +216,7 @@ void CatalogueMirror::withdraw(ObjectId object) {
   made.confirmed = false;
   model_.put(std::move(made));
   if (!model_.withdraw(object).value_or(false)) return model_.put(before);
-  followModel();
+  updateFromModel();
   std::erase_if(names_to_come_, [object](const auto& name) { return name.first == object; });
 }
 
@@ -276,7 +276,7 @@ struct CatalogueMirror::Applied {
   void operator()(const event::MergeDropped&) const { endMerge(); }
   void operator()(const event::NameStored&) const { endName(); }
   void operator()(const event::NameDropped&) const { endName(); }
-  void operator()(const event::NameTakenBack&) const {}
+  void operator()(const event::NamingReverted&) const {}
   void operator()(const event::ViewsDiscarded&) const {}
   void operator()(const event::Edited& e) const { mirror.edit(e.edits); }
   void operator()(const event::Failed&) const {}
@@ -346,7 +346,7 @@ void CatalogueMirror::applyToCome() {
     const ObjectId first = mergeRootOf(a), second = mergeRootOf(b);
     if (!first || !second || first == second) continue;
     static_cast<void>(model_.merge(std::array{first, second}));
-    followModel();
+    updateFromModel();
   }
   for (const auto& [object, name] : names_to_come_) applyName(object, name);
 }

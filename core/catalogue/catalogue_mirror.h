@@ -55,7 +55,7 @@ class CatalogueMirror {
     return record(mergeRootOf(object));
   }
   /// The visible objects that existed before this scan, ascending.
-  [[nodiscard]] std::vector<ObjectId> ofBefore() const;
+  [[nodiscard]] std::vector<ObjectId> earlierObjects() const;
   /// CatalogueModel::mergeRoot(), from an index.
   [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const { return detector_.mergeRootOf(object); }
   /// Whether others deleted, restored or merged the object, or undid a merge.
@@ -100,7 +100,7 @@ class CatalogueMirror {
   /// Updates all roots after states were read from the database.
   void updateRoots();
   /// Updates records and roots after operations of the model.
-  void followModel();
+  void updateFromModel();
   void join(ObjectId into, ObjectId from);
   void addDescriptor(const StoredDescriptor& view);
   void addSize(ObjectId object, const Eigen::Vector3f& size_m);

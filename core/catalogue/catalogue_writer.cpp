@@ -12,7 +12,7 @@ namespace scantrove {
 namespace {
 
 /// Patience of finish() when the program must end soon, and the interval of checking for that.
-constexpr std::chrono::milliseconds kUrgentPatience{500}, kLook{100};
+constexpr std::chrono::milliseconds kUrgentPatience{500}, kPollInterval{100};
 
 constexpr const char* kWaits = "What the scan finds waits until then.";
 
@@ -33,7 +33,7 @@ void CatalogueWriter::Losses::count(const CatalogueJob& job) {
   objects += std::holds_alternative<job::AddObject>(job) ? 1 : 0;
   views += std::holds_alternative<job::AddView>(job) ? 1 : 0;
   merges += std::holds_alternative<job::Merge>(job) ? 1 : 0;
-  names += std::holds_alternative<job::Name>(job) || std::holds_alternative<job::TakeNameBack>(job) ? 1 : 0;
+  names += std::holds_alternative<job::Name>(job) || std::holds_alternative<job::RevertNaming>(job) ? 1 : 0;
 }
 
 CatalogueWriter::CatalogueWriter(Options options)
@@ -109,9 +109,9 @@ void CatalogueWriter::name(int naming, ObjectId object, const std::string& name,
   enqueue(job::Name{naming, object, name, again});
 }
 
-void CatalogueWriter::takeNameBack(int naming, std::optional<ObjectNaming> earlier) {
+void CatalogueWriter::revertNaming(int naming, std::optional<ObjectNaming> earlier) {
   const std::scoped_lock lock(mutex_);
-  enqueue(job::TakeNameBack{naming, std::move(earlier)});
+  enqueue(job::RevertNaming{naming, std::move(earlier)});
 }
 
 void CatalogueWriter::withdraw(ObjectId object) {
@@ -124,9 +124,9 @@ void CatalogueWriter::discardViews(ObjectId object, std::vector<int> frames) {
   enqueue(job::DiscardViews{object, std::move(frames)});
 }
 
-void CatalogueWriter::follow() {
+void CatalogueWriter::requestChanges() {
   const std::scoped_lock lock(mutex_);
-  is_follow_wanted_ = true;
+  are_changes_requested_ = true;
   changed_.notify_all();
 }
 
@@ -137,10 +137,10 @@ CatalogueWriter::Events CatalogueWriter::drainEvents() {
 
 bool CatalogueWriter::settle(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
-  is_follow_wanted_ = true;
+  are_changes_requested_ = true;
   changed_.notify_all();
-  return changed_.wait_for(lock, limit,
-                           [this] { return jobs_.empty() && !is_follow_wanted_ && !is_following_; });
+  return changed_.wait_for(
+      lock, limit, [this] { return jobs_.empty() && !are_changes_requested_ && !is_reading_changes_; });
 }
 
 Result<void> CatalogueWriter::finish(const std::function<void()>& listener) {
@@ -151,9 +151,9 @@ Result<void> CatalogueWriter::finish(const std::function<void()>& listener) {
     std::chrono::milliseconds waited{0}, waited_urgently{0};
     const auto has_appeared = [&] { return jobs_.empty() || done_ != done || !events_.empty(); };
     while (!jobs_.empty() && waited < options_.patience && waited_urgently < kUrgentPatience) {
-      if (!changed_.wait_for(lock, kLook, has_appeared)) {
-        waited += kLook;
-        if (isEndUrgent()) waited_urgently += kLook;
+      if (!changed_.wait_for(lock, kPollInterval, has_appeared)) {
+        waited += kPollInterval;
+        if (isEndUrgent()) waited_urgently += kPollInterval;
       }
       if (std::exchange(done, done_) != done) waited = waited_urgently = std::chrono::milliseconds(0);
       if (events_.empty()) continue;
@@ -210,7 +210,7 @@ void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> ope
 void CatalogueWriter::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return is_closed_ || is_follow_wanted_ || !jobs_.empty(); });
+    changed_.wait(lock, [this] { return is_closed_ || are_changes_requested_ || !jobs_.empty(); });
     if (is_closed_) return;
     lock.unlock();
     // Edits of users come first: a job may depend on them.
@@ -223,15 +223,15 @@ void CatalogueWriter::work() {
 void CatalogueWriter::readEdits() {
   {
     const std::scoped_lock lock(mutex_);
-    if (!std::exchange(is_follow_wanted_, false)) return;
-    is_following_ = true;
+    if (!std::exchange(are_changes_requested_, false)) return;
+    is_reading_changes_ = true;
   }
   Result<CatalogueEdits> edits = guarded("reading the catalogue", [this] { return executor_.readEdits(); });
   if (!edits) noteFailure(edits.error());
   if (edits && !edits->isEmpty()) notify({event::Edited{std::move(*edits)}});
   const std::scoped_lock lock(mutex_);
-  if (edits && jobs_.empty()) is_failure_said_ = false;
-  is_following_ = false;
+  if (edits && jobs_.empty()) is_failure_reported_ = false;
+  is_reading_changes_ = false;
   changed_.notify_all();
 }
 
@@ -278,7 +278,7 @@ void CatalogueWriter::noteFailure(const Error& error) {
     const std::scoped_lock lock(mutex_);
     last_error_ = error;
   }
-  if (std::exchange(is_failure_said_, true)) {
+  if (std::exchange(is_failure_reported_, true)) {
     spdlog::debug("{}", error.message());
   } else {
     notify({event::Failed{{error.what, error.advice + (error.advice.empty() ? "" : " ") + kWaits}}});
@@ -287,7 +287,7 @@ void CatalogueWriter::noteFailure(const Error& error) {
 
 void CatalogueWriter::noteSuccess() {
   const std::scoped_lock lock(mutex_);
-  if (jobs_.size() == 1) is_failure_said_ = false;
+  if (jobs_.size() == 1) is_failure_reported_ = false;
 }
 
 }  // namespace scantrove

@@ -61,19 +61,19 @@ class CatalogueWriter {
   /// Merges two objects, unless users have settled both, separated them or deleted one by then.
   void merge(ObjectId a, ObjectId b);
   /// A user names the object (ObjectDatabase::nameByUser), unless it is deleted by then. `naming`: a
-  /// number for takeNameBack(). `again`: the number of a reverted naming to redo; does nothing if others
+  /// number for revertNaming(). `again`: the number of a reverted naming to redo; does nothing if others
   /// overruled it.
   void name(int naming, ObjectId object, const std::string& name, int again = 0);
   /// Reverts that naming, except for later changes by others. `earlier`: its effect, if an earlier scan
   /// made it.
-  void takeNameBack(int naming, std::optional<ObjectNaming> earlier = std::nullopt);
+  void revertNaming(int naming, std::optional<ObjectNaming> earlier = std::nullopt);
   /// Removes an object that was made for an undone operation (see ObjectDatabase::withdraw).
   void withdraw(ObjectId object);
   /// Removes views of the object that this scan cropped from those frames, because they show something else
   /// (ObjectDatabase::discardViews()). Does nothing if a user has settled the object by then.
   void discardViews(ObjectId object, std::vector<int> frames);
   /// Requests the changes by others.
-  void follow();
+  void requestChanges();
 
   /// Events since the last call, in order.
   [[nodiscard]] std::vector<CatalogueEvent> drainEvents();
@@ -119,14 +119,14 @@ class CatalogueWriter {
 
   // Only for the writer's thread.
   CatalogueJobs executor_;
-  bool is_failure_said_ = false;
+  bool is_failure_reported_ = false;
 
   std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::deque<CatalogueJob> jobs_;  // the first one is in progress
   std::size_t waiting_bytes_ = 0;
-  bool is_follow_wanted_ = false;
-  bool is_following_ = false;
+  bool are_changes_requested_ = false;
+  bool is_reading_changes_ = false;
   bool is_closed_ = false;
   std::uint64_t done_ = 0;  // number of jobs
   Events events_;

@@ -11,7 +11,7 @@ namespace {
 
 /// Minimum height of a triangle of three objects, relative to its longest side: nearly collinear ones fix
 /// no rotation.
-constexpr float kMinHeight_m = 0.15F;
+constexpr float kMinHeightRatio = 0.15F;
 /// Maximum number of pairs tried together.
 constexpr std::size_t kMaxPairs = 48;
 
@@ -44,7 +44,7 @@ bool areAsFarApart(const Pair& a, const Pair& b) {
 bool isWide(const Pair& a, const Pair& b, const Pair& c) {
   const Eigen::Vector3f ab = b.then - a.then, bc = c.then - b.then, ca = a.then - c.then;
   const float longest_m = std::max({ab.norm(), bc.norm(), ca.norm()});
-  return ab.cross(ca).norm() >= kMinHeight_m * longest_m;
+  return ab.cross(ca).norm() >= kMinHeightRatio * longest_m;
 }
 
 /// The largest set that agrees with a transform of three pairs; stops at three quarters of all.
@@ -68,7 +68,7 @@ std::vector<Pair> agreeing(const std::vector<Pair>& pairs) {
 
 /// The transform that most pairs agree on; none: too few agree.
 std::optional<Eigen::Isometry3f> agreedOn(const std::vector<Pair>& pairs) {
-  const std::size_t needed = std::max<std::size_t>(KnownLayouts::kFewest, (pairs.size() + 2) / 3);
+  const std::size_t needed = std::max<std::size_t>(KnownLayouts::kMinObjects, (pairs.size() + 2) / 3);
   const std::vector<Pair> best = agreeing(pairs);
   if (best.size() < needed) return std::nullopt;
   const Eigen::Isometry3f T_now_then = fitted(best);
@@ -88,7 +88,7 @@ void KnownLayouts::add(std::int64_t session, ObjectId object, const Eigen::Vecto
 
 void KnownLayouts::align(const std::vector<ObjectPosition>& recognized, const MergeRootOf& merge_root_of) {
   expected_.clear();
-  if (recognized.size() < kFewest) return;
+  if (recognized.size() < kMinObjects) return;
   for (const auto& [session, objects] : sessions_) {
     std::vector<ObjectPosition> then;  // by merge root
     for (const auto& [object, seen] : objects) {

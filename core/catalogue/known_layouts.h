@@ -21,7 +21,7 @@ class KnownLayouts {
   /// The current owner of an object's views; none: nobody.
   using MergeRootOf = std::function<ObjectId(ObjectId)>;
 
-  static constexpr int kFewest = 3;       ///< objects in their former layout, and a third of all
+  static constexpr int kMinObjects = 3;   ///< objects in their former layout, and a third of all
   static constexpr float kNear_m = 0.1F;  ///< maximum offset after one rigid motion
   /// Maximum distance of an expected object: maps bend, so the error grows with distance.
   static constexpr float kExpected_m = 0.15F;

@@ -32,9 +32,9 @@ struct RegionObject {
 /// Whether a region of `object` that a user names is another thing: users gave another name to one of the
 /// object's other regions (`names_of_others`), or another object has the name already and this one is
 /// settled.
-[[nodiscard]] inline bool isAnotherThing(const CatalogueModel& catalogue, ObjectId object,
-                                         const std::string& name,
-                                         std::span<const std::string> names_of_others) {
+[[nodiscard]] inline bool isAnotherObject(const CatalogueModel& catalogue, ObjectId object,
+                                          const std::string& name,
+                                          std::span<const std::string> names_of_others) {
   const ObjectState* root = catalogue.visible(catalogue.mergeRoot(object));
   const ObjectState* named = catalogue.named(name);
   const bool is_taken = root != nullptr && named != nullptr && named != root;

@@ -20,12 +20,12 @@ struct FrameObjects {
   std::vector<SeenObject> seen;
   std::vector<ObjectRecord> recognized;  ///< observed for the first time in this scan
 
-  bool has_events = false;          ///< the catalogue changed, through this scan or others
-  std::vector<ObjectRecord> added;  ///< stored
-  std::vector<ObjectId> new_views;  ///< objects that got one; stored
-  std::vector<ObjectMerge> merged;  ///< their regions belong to one object; stored
-  std::vector<ObjectId> left;       ///< removed: their views show something else
-  std::vector<NamedObject> named;   ///< by a user who named a region; stored
+  bool is_catalogue_changed = false;  ///< through this scan or others
+  std::vector<ObjectRecord> added;    ///< stored
+  std::vector<ObjectId> new_views;    ///< objects that got one; stored
+  std::vector<ObjectMerge> merged;    ///< their regions belong to one object; stored
+  std::vector<ObjectId> removed;      ///< their views show something else
+  std::vector<NamedObject> named;     ///< by a user who named a region; stored
   /// The catalogue could not be read or written. Reported once until it works again; the scan goes on, and
   /// unstored data waits.
   std::optional<Error> catalogue_failure;

@@ -28,7 +28,7 @@ struct Announced {
     if (e.naming.merge) objects.merged.push_back(*e.naming.merge);
   }
   void operator()(const event::ViewsDiscarded& e) const {
-    if (e.is_removed) objects.left.push_back(e.object);
+    if (e.is_removed) objects.removed.push_back(e.object);
   }
   void operator()(const event::NameDropped& e) const {
     if (e.why) objects.catalogue_failure = e.why;
@@ -159,20 +159,20 @@ void ObjectCollector::applyEvents(FrameObjects& objects) {
     catalogue_.apply(event);
     std::visit(Announced{objects}, event);
     if (const auto* named = std::get_if<event::NameStored>(&event)) requests_.noteStored(*named);
-    objects.has_events = true;
+    objects.is_catalogue_changed = true;
   }
   for (ObjectRecord& record : identities_.takeRecognized()) {
     objects.recognized.push_back(std::move(record));
-    objects.has_events = true;
+    objects.is_catalogue_changed = true;
   }
   if (std::optional<Error> refusal = requests_.takeRefusal()) {
     objects.catalogue_failure = std::move(refusal);
-    objects.has_events = true;
+    objects.is_catalogue_changed = true;
   }
-  writer_->follow();
+  writer_->requestChanges();
 }
 
-FrameObjects ObjectCollector::followCatalogue() {
+FrameObjects ObjectCollector::applyCatalogueChanges() {
   FrameObjects objects;
   applyEvents(objects);
   return objects;
@@ -180,7 +180,7 @@ FrameObjects ObjectCollector::followCatalogue() {
 
 Result<void> ObjectCollector::finish(const std::function<void(const FrameObjects&)>& announce) {
   identities_.merge(IdentityResolver::Which::all, frame_);
-  return writer_->finish([&] { announce(followCatalogue()); });
+  return writer_->finish([&] { announce(applyCatalogueChanges()); });
 }
 
 void ObjectCollector::joinRegions(RegionId into, RegionId from, JoinedBy by) {

@@ -96,9 +96,9 @@ class ObjectCollector {
   void endRefinement();
 
   /// Applies changes of the catalogue since the last call, and asks for more; collect() includes this.
-  [[nodiscard]] FrameObjects followCatalogue();
-  /// Waits until all results are stored and all changes by others are known; followCatalogue() then reports
-  /// them. False: not within `limit`.
+  [[nodiscard]] FrameObjects applyCatalogueChanges();
+  /// Waits until all results are stored and all changes by others are known; applyCatalogueChanges() then
+  /// reports them. False: not within `limit`.
   [[nodiscard]] bool settle(std::chrono::milliseconds limit) { return writer_->settle(limit); }
   /// Stores what waits and ends the session. `announce` receives stored results and failures of the catalogue
   /// as they happen. Nothing is collected afterwards. Error: what the catalogue lacks, and why.

@@ -123,7 +123,7 @@ std::vector<SameObjects> Recognizer::compareAppeared(const std::vector<Candidate
 std::vector<SameObjects> Recognizer::compareWithEarlierScans(
     const std::vector<const Candidate*>& observed_objects, const ObservedFrame& observed) {
   if (!observed.hasColor()) return {};
-  std::vector<ObjectId> earlier = catalogue_.ofBefore();
+  std::vector<ObjectId> earlier = catalogue_.earlierObjects();
   // If this map has the object elsewhere by an earlier scan of it, the object is there, observed or not.
   std::erase_if(earlier,
                 [this](ObjectId object) { return tracks_.isObserved(object) || tracks_.hasRegions(object); });

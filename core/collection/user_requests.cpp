@@ -79,7 +79,7 @@ void UserRequests::applyName(RegionId region, const std::string& name, int again
   }
   const ObjectId object = tracks_.existingObjectOf(region);
   if (!object) return;
-  if (isAnotherThing(catalogue_.model(), object, *checked, namesOfOthers(region))) {
+  if (isAnotherObject(catalogue_.model(), object, *checked, namesOfOthers(region))) {
     tracks_.bind({region}, {});
     state_.not_objects[region] = object;
     return;
@@ -155,7 +155,7 @@ void UserRequests::undoObject(RegionId region) {
 
 void UserRequests::undo(Namings::iterator naming) {
   if (!naming->name.empty())
-    writer_.takeNameBack(naming->number, naming->is_of_earlier_scan ? naming->stored : std::nullopt);
+    writer_.revertNaming(naming->number, naming->is_of_earlier_scan ? naming->stored : std::nullopt);
   undone_.push_back(*naming);
   if (const ObjectId made = naming->made) {
     // Frames may find the region again as a new object.

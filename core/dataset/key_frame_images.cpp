@@ -81,7 +81,7 @@ Result<KeyFrameImage> readKeyFrameImage(LabeledScan& scan, const KeyFrameInfo& f
 
 Result<void> labelImage(LabeledScan& scan, KeyFrameImage& read, const std::unordered_set<int>& kept) {
   LabeledImage& image = read.image;
-  const auto map = scan.look(image.K, image.T_world_camera);
+  const auto map = scan.renderView(image.K, image.T_world_camera);
   if (!map) return fail(map.error());
   image.regions = refineRegions(*map, {image.depth_m, read.color}, std::max(image.K.fx, image.K.fy));
   keepOnly(image.regions, kept);

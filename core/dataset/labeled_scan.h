@@ -86,8 +86,8 @@ class LabeledScan {
   /// Its depth image: CV_16UC1 of the size of K_depth, in units of meters_per_unit, 0 = no reading.
   [[nodiscard]] virtual Result<cv::Mat> depth(int index) = 0;
   /// Casts one ray per pixel into the final map; current labels, nearest surface.
-  [[nodiscard]] virtual Result<ViewOfMap> look(const Intrinsics& K,
-                                               const Eigen::Isometry3d& T_world_camera) = 0;
+  [[nodiscard]] virtual Result<ViewOfMap> renderView(const Intrinsics& K,
+                                                     const Eigen::Isometry3d& T_world_camera) = 0;
   /// The whole surface.
   [[nodiscard]] virtual Result<LabeledMesh> mesh() = 0;
   /// Visits the points of the labelled cloud.

@@ -91,8 +91,8 @@ class OutlineRefiner {
         regions_(map.regions.clone()) {}
 
   cv::Mat run() {
-    followDepth();
-    followColor();
+    alignToDepth();
+    alignToColor();
     dropSmallComponents();
     return regions_;
   }
@@ -106,7 +106,7 @@ class OutlineRefiner {
     return x >= 0 && y >= 0 && x < regions_.cols && y < regions_.rows;
   }
 
-  void followDepth() {
+  void alignToDepth() {
     std::vector<cv::Point> mixed;
     for (int y = 0; y < regions_.rows; ++y) {
       for (int x = 0; x < regions_.cols; ++x) {
@@ -177,7 +177,7 @@ class OutlineRefiner {
     return outline;
   }
 
-  void followColor() {
+  void alignToColor() {
     if (color_.empty()) return;
     const cv::Mat band = outlineBand();
     const cv::Mat before = regions_.clone();

@@ -20,9 +20,9 @@ void ObservationHistory::nextFrame() {
   std::erase_if(watched_, [&](const auto& entry) { return frame_ - entry.second.last_frame > kMemory; });
 }
 
-void ObservationHistory::add(const RegionSet& regions, const Observation& look) {
+void ObservationHistory::add(const RegionSet& regions, const Observation& observation) {
   Watched& watched = watched_[regions];
-  const float size_m = look.size_m.norm();
+  const float size_m = observation.size_m.norm();
   if (watched.observations > 0 &&
       std::abs(size_m - watched.size_m) > kOtherSize * std::max(size_m, watched.size_m)) {
     if (++watched.others < kObservationsToDiffer) return;
@@ -30,20 +30,20 @@ void ObservationHistory::add(const RegionSet& regions, const Observation& look) 
   }
   watched.others = 0;
   if (watched.observations == 0) {
-    watched.first_direction = look.direction;
+    watched.first_direction = observation.direction;
     watched.first_frame = frame_;
   }
   ++watched.observations;
   const float step = 1 / std::min(static_cast<float>(watched.observations), kObservationMemory);
-  watched.outline += step * (look.outline - watched.outline);
-  watched.hidden += step * (look.hidden - watched.hidden);
+  watched.outline += step * (observation.outline - watched.outline);
+  watched.hidden += step * (observation.hidden - watched.hidden);
   watched.size_m += step * (size_m - watched.size_m);
-  const float cosine = std::clamp(watched.first_direction.dot(look.direction), -1.0F, 1.0F);
+  const float cosine = std::clamp(watched.first_direction.dot(observation.direction), -1.0F, 1.0F);
   watched.widest_angle_rad = std::max(watched.widest_angle_rad, std::acos(cosine));
   watched.last_frame = frame_;
 }
 
-void ObservationHistory::follow(RegionId into, RegionId from) {
+void ObservationHistory::joinRegions(RegionId into, RegionId from) {
   std::vector<std::pair<RegionSet, Watched>> changed;
   for (auto entry = watched_.begin(); entry != watched_.end();) {
     if (!entry->first.contains(from)) {
@@ -51,7 +51,7 @@ void ObservationHistory::follow(RegionId into, RegionId from) {
       continue;
     }
     changed.emplace_back(*entry);
-    changed.back().first.follow(into, from);
+    changed.back().first.join(into, from);
     entry = watched_.erase(entry);
   }
   for (const auto& [regions, watched] : changed) {

@@ -24,9 +24,9 @@ class ObservationHistory {
   void nextFrame();
   /// Adds an observation of this frame. One with a clearly different size is ignored; several in a row reset
   /// the set's history, because the object has changed.
-  void add(const RegionSet& regions, const Observation& look);
+  void add(const RegionSet& regions, const Observation& observation);
   /// `from` is now part of `into`. If two sets become equal, the one with more observations is kept.
-  void follow(RegionId into, RegionId from);
+  void joinRegions(RegionId into, RegionId from);
 
   /// Seen often enough, from two directions or for long enough, with its own outline (DiscoveryParams).
   [[nodiscard]] bool isComplete(const RegionSet& regions, const DiscoveryParams& params) const;

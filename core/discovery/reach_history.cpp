@@ -140,10 +140,10 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
                      interior.holds(u, v, input.view.vertices_world[pixel]));
     }
   }
-  for (const auto& [region, now] : seen) follow(region, now, max_size_m);
+  for (const auto& [region, now] : seen) update(region, now, max_size_m);
 }
 
-void ReachHistory::follow(RegionId region, const Seen& seen, float max_size_m) {
+void ReachHistory::update(RegionId region, const Seen& seen, float max_size_m) {
   const auto [entry, is_new] = reaches_.try_emplace(region);
   Reach& reach = entry->second;
   reach.last_seen = frame_;

@@ -49,7 +49,7 @@ class ReachHistory {
     bool is_too_large = false;
   };
   struct Seen;
-  void follow(RegionId region, const Seen& seen, float max_size_m);
+  void update(RegionId region, const Seen& seen, float max_size_m);
 
   std::map<RegionId, Reach> reaches_;
   int frame_ = 0;

@@ -17,7 +17,7 @@ constexpr float kColorUnknown = 0.5F;  ///< factor on the size's likeness if onl
 }  // namespace
 
 RegionAppearance appearanceOf(std::span<const AppearancePoint> points) {
-  RegionAppearance look;
+  RegionAppearance appearance;
   std::vector<Eigen::Vector4f> places;
   places.reserve(points.size());
   std::vector<cv::Vec3f> colors;
@@ -27,12 +27,13 @@ RegionAppearance appearanceOf(std::span<const AppearancePoint> points) {
       colors.emplace_back(static_cast<float>(point.rgb[0]) / 255, static_cast<float>(point.rgb[1]) / 255,
                           static_cast<float>(point.rgb[2]) / 255);
   }
-  look.size_m = fitOrientedBox(places).size_m;
-  if (colors.empty()) return look;
+  appearance.size_m = fitOrientedBox(places).size_m;
+  if (colors.empty()) return appearance;
   cv::Mat lab;
   cv::cvtColor(cv::Mat(1, static_cast<int>(colors.size()), CV_32FC3, colors.data()), lab, cv::COLOR_RGB2Lab);
-  for (const cv::Vec3f& color : cv::Mat_<cv::Vec3f>(lab)) look.colors.add({color[0], color[1], color[2]});
-  return look;
+  for (const cv::Vec3f& color : cv::Mat_<cv::Vec3f>(lab))
+    appearance.colors.add({color[0], color[1], color[2]});
+  return appearance;
 }
 
 float likeness(const RegionAppearance& a, const RegionAppearance& b) {

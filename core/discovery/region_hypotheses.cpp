@@ -14,12 +14,12 @@ constexpr float kMinContactPart = 0.1F;  // of the outline of one of them
 constexpr float kMinRimPart = 0.2F;      // of a concave region's outline
 
 /// An object's outside is about as wide as its inside, or wider; an object standing in a plate is not.
-bool couldHold(const RegionExtent& outside, const RegionExtent& hollow) {
+bool couldHold(const RegionExtent& outside, const RegionExtent& inner) {
   constexpr float kWider = 1.2F;  // noise, and a rim seen at an angle
   const auto longest = [](const cv::Rect& box) {
     return static_cast<float>(std::max(box.width, box.height));
   };
-  return longest(hollow.box_px) <= kWider * longest(outside.box_px);
+  return longest(inner.box_px) <= kWider * longest(outside.box_px);
 }
 
 void include(const RegionExtent& other, RegionExtent& extent) {
@@ -44,9 +44,9 @@ class Neighborhood {
                const DiscoveryInput& input, const DiscoveryParams& params)
       : outlines_(outlines) {
     if (!input.joining_odds) return;
-    std::set<RegionId> hollows;
+    std::set<RegionId> concave;
     for (const RegionExtent& extent : regions) {
-      if (!isNotHollow(bulgeOf({extent.region}, extent.box_px, input), params)) hollows.insert(extent.region);
+      if (isConcave(bulgeOf({extent.region}, extent.box_px, input), params)) concave.insert(extent.region);
     }
     for (const RegionExtent& extent : regions) {
       const RegionId a = extent.region;
@@ -54,9 +54,9 @@ class Neighborhood {
         const auto found = std::ranges::lower_bound(regions, b, {}, &RegionExtent::region);
         if (b < a || found == regions.end() || found->region != b) continue;
         const bool is_a_in_b =
-            hollows.contains(a) && !hollows.contains(b) && isRim(a, b) && couldHold(*found, extent);
+            concave.contains(a) && !concave.contains(b) && isRim(a, b) && couldHold(*found, extent);
         const bool is_b_in_a =
-            hollows.contains(b) && !hollows.contains(a) && isRim(b, a) && couldHold(extent, *found);
+            concave.contains(b) && !concave.contains(a) && isRim(b, a) && couldHold(extent, *found);
         const bool is_rim = is_a_in_b || is_b_in_a;
         if (!(is_rim || isContact(a, b) || isContact(b, a))) continue;
         float odds = input.joining_odds(a, b);
@@ -85,17 +85,17 @@ class Neighborhood {
     const int touching = outlines_.between(of, with).touching();
     return touching >= kMinContact && static_cast<float>(touching) >= kMinContactPart * lengthOf(of);
   }
-  [[nodiscard]] bool isRim(RegionId hollow, RegionId with) const {
-    return static_cast<float>(outlines_.between(hollow, with).known()) >= kMinRimPart * lengthOf(hollow);
+  [[nodiscard]] bool isRim(RegionId inner, RegionId with) const {
+    return static_cast<float>(outlines_.between(inner, with).known()) >= kMinRimPart * lengthOf(inner);
   }
   [[nodiscard]] float lengthOf(RegionId region) const {
     return static_cast<float>(outlines_.of({region}).known());
   }
   /// A concave region is the inside of the region with the longest common rim.
-  void noteInside(RegionId hollow, RegionId outside) {
-    const auto [inside, is_first] = insides_.try_emplace(hollow, outside);
+  void noteInside(RegionId inner, RegionId outside) {
+    const auto [inside, is_first] = insides_.try_emplace(inner, outside);
     if (!is_first &&
-        outlines_.between(hollow, outside).known() > outlines_.between(hollow, inside->second).known())
+        outlines_.between(inner, outside).known() > outlines_.between(inner, inside->second).known())
       inside->second = outside;
   }
 

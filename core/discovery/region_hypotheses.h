@@ -15,7 +15,7 @@ struct RegionHypothesis {
 };
 
 /// Each region alone, and sets of up to four touching regions that are close to joining (thesis ch. 6):
-/// `input.joining_odds` of each contact is above -kNearOdds. A concave region (isNotHollow) may be the inside
+/// `input.joining_odds` of each contact is above -kNearOdds. A concave region (isConcave) may be the inside
 /// of an object without touching its outside, because the rim occludes the contact. Ordered by regions; at
 /// most kMaxSets sets, those with fewest regions first.
 [[nodiscard]] std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> regions,

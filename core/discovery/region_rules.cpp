@@ -37,28 +37,30 @@ bool isCentral(const RegionExtent& extent, const Intrinsics& K, const DiscoveryP
          std::abs(extent.centroidV() - (K.height - 1) / 2.0) <= half * K.height;
 }
 
-bool isNotEccentric(const RegionExtent& extent, const DiscoveryParams& params) {
-  return extent.eccentricity() <= params.max_eccentricity;
+bool isEccentric(const RegionExtent& extent, const DiscoveryParams& params) {
+  return !(extent.eccentricity() <= params.max_eccentricity);
 }
 
 bool isSizeInRange(const OrientedBox& box, const DiscoveryParams& params) {
   return box.size_m[0] >= params.min_size_m && box.size_m[0] <= params.max_size_m;
 }
 
-bool isNotFlat(const OrientedBox& box, float bulge, const DiscoveryParams& params) {
-  return box.size_m[0] <= params.max_flat_size_m ||
-         (box.thickness_ratio >= params.min_thickness_ratio && bulge >= kClearBulge);
+bool isFlat(const OrientedBox& box, float bulge, const DiscoveryParams& params) {
+  const bool is_small = box.size_m[0] <= params.max_flat_size_m;
+  const bool is_thick = box.thickness_ratio >= params.min_thickness_ratio;
+  return !is_small && !(is_thick && bulge >= kClearBulge);
 }
 
-bool isNotStrip(const OrientedBox& box, float bulge, const DiscoveryParams& params) {
-  return box.size_m[1] >= params.min_strip_ratio * box.size_m[0] ||
-         (box.size_m[0] <= params.max_flat_size_m && bulge >= kClearBulge);
+bool isStrip(const OrientedBox& box, float bulge, const DiscoveryParams& params) {
+  const bool is_wide = box.size_m[1] >= params.min_strip_ratio * box.size_m[0];
+  const bool is_short = box.size_m[0] <= params.max_flat_size_m;
+  return !is_wide && !(is_short && bulge >= kClearBulge);
 }
 
-bool isNotHollow(float bulge, const DiscoveryParams& params) { return bulge >= params.min_bulge; }
+bool isConcave(float bulge, const DiscoveryParams& params) { return !(bulge >= params.min_bulge); }
 
-bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params) {
-  return outline.hiddenPart() <= params.max_hidden_fraction;
+bool isBackground(const OutlineSteps& outline, const DiscoveryParams& params) {
+  return !(outline.hiddenPart() <= params.max_hidden_fraction);
 }
 
 }  // namespace scantrove

@@ -22,26 +22,26 @@ namespace scantrove {
 [[nodiscard]] bool hasEnoughPoints(const RegionExtent& extent, const Intrinsics& K,
                                    const DiscoveryParams& params);
 [[nodiscard]] bool isCentral(const RegionExtent& extent, const Intrinsics& K, const DiscoveryParams& params);
-[[nodiscard]] bool isNotEccentric(const RegionExtent& extent, const DiscoveryParams& params);
+[[nodiscard]] bool isEccentric(const RegionExtent& extent, const DiscoveryParams& params);
 [[nodiscard]] bool isSizeInRange(const OrientedBox& box, const DiscoveryParams& params);
-/// Rejects flat regions, and those that bulge as little as the edge of a board, only if they are larger than
-/// a book. From one side a box or a book is a plane, too.
-[[nodiscard]] bool isNotFlat(const OrientedBox& box, float bulge, const DiscoveryParams& params);
+/// Larger than a book, and flat or bulging as little as the edge of a board. From one side a box or a book is
+/// a plane, too.
+[[nodiscard]] bool isFlat(const OrientedBox& box, float bulge, const DiscoveryParams& params);
 
-/// Rejects thin regions that do not bulge, or that are longer than thin objects are: these are strips of
-/// larger ones. A thin object bulges even from one side.
-[[nodiscard]] bool isNotStrip(const OrientedBox& box, float bulge, const DiscoveryParams& params);
+/// A strip of a larger region: thin, and without a bulge or longer than thin objects are. A thin object
+/// bulges even from one side.
+[[nodiscard]] bool isStrip(const OrientedBox& box, float bulge, const DiscoveryParams& params);
 
 /// Has the size and shape of an object.
-[[nodiscard]] inline bool isShapedAsThing(const OrientedBox& box, float bulge,
-                                          const DiscoveryParams& params) {
-  return isSizeInRange(box, params) && isNotFlat(box, bulge, params) && isNotStrip(box, bulge, params);
+[[nodiscard]] inline bool isShapedAsObject(const OrientedBox& box, float bulge,
+                                           const DiscoveryParams& params) {
+  return isSizeInRange(box, params) && !isFlat(box, bulge, params) && !isStrip(box, bulge, params);
 }
 
-/// Objects bulge; a concave region is the inside of one, or a corner of the room.
-[[nodiscard]] bool isNotHollow(float bulge, const DiscoveryParams& params);
+/// The inside of an object, or a corner of the room. Objects bulge.
+[[nodiscard]] bool isConcave(float bulge, const DiscoveryParams& params);
 
-/// Not a part of floor or wall seen between nearer objects.
-[[nodiscard]] bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params);
+/// A part of floor or wall seen between nearer objects.
+[[nodiscard]] bool isBackground(const OutlineSteps& outline, const DiscoveryParams& params);
 
 }  // namespace scantrove

@@ -27,7 +27,7 @@ class RegionSet {
     for (const RegionId region : other) add(region);
   }
   /// `from` is now part of `into`.
-  void follow(RegionId into, RegionId from) {
+  void join(RegionId into, RegionId from) {
     if (std::erase(regions_, from) > 0) add(into);
   }
 

@@ -20,9 +20,9 @@ namespace {
 /// A set is a candidate only if its outline is not clearly worse than that of its regions.
 constexpr float kOutlineSlack = 0.05F;
 /// The part of a cut-off object that must be visible along each axis.
-constexpr float kMaxOfThing = 0.6F;
+constexpr float kMinVisiblePart = 0.6F;
 /// Parts of a set may be smaller than the minimum for an object.
-constexpr int kMinPartOfThing = 8;
+constexpr int kPartSizeFactor = 8;
 
 class RuleBasedFinder final : public CandidateFinder {
  public:
@@ -31,8 +31,8 @@ class RuleBasedFinder final : public CandidateFinder {
   void setParams(const DiscoveryParams& params) override { params_ = params; }
   [[nodiscard]] const RegionCensus& census() const override { return census_; }
   void regionsJoined(RegionId into, RegionId from) override {
-    sizes_.follow(into, from);
-    observations_.follow(into, from);
+    sizes_.joinRegions(into, from);
+    observations_.joinRegions(into, from);
     reaches_.forget(into);
     reaches_.forget(from);
   }
@@ -53,30 +53,30 @@ class RuleBasedFinder final : public CandidateFinder {
     for (const RegionHypothesis& hypothesis : hypotheses) {
       const RegionExtent& extent = hypothesis.extent;
       if (hypothesis.is_inconsistent || !hasEnoughPoints(extent, input.view.K, params_) ||
-          !isCentral(extent, input.view.K, params_) || !isNotEccentric(extent, params_))
+          !isCentral(extent, input.view.K, params_) || isEccentric(extent, params_))
         continue;
       if (!sizes_.isPersistent(hypothesis.regions, params_.persistent_frames, params_.size_tolerance))
         continue;
       const OutlineSteps outline = outlines.of(hypothesis.regions);
-      if (!isNotBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines, hypotheses))
+      if (isBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines, hypotheses))
         continue;
       const OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
       Candidate candidate = candidateOf(hypothesis, box, input);
-      if (!isShapedAsThing(box, candidate.bulge, params_)) continue;
+      if (!isShapedAsObject(box, candidate.bulge, params_)) continue;
       candidates.push_back(std::move(candidate));
-      look(outline, input, candidates.back());
+      measure(outline, input, candidates.back());
     }
     for (const RegionExtent& extent : cutRegions(census_, visible, input)) {
       const RegionHypothesis hypothesis{{extent.region}, extent, visibleArea(extent, input)};
       const OutlineSteps outline = outlines.of(hypothesis.regions);
-      if (!isNotBackground(outline, params_)) continue;
+      if (isBackground(outline, params_)) continue;
       OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
       box.size_m = reaches_.sizeOf(extent.region, box.axes);
       std::sort(box.size_m.begin(), box.size_m.end(), std::greater<>());
       Candidate candidate = candidateOf(hypothesis, box, input);
-      if (!isShapedAsThing(box, candidate.bulge, params_)) continue;
+      if (!isShapedAsObject(box, candidate.bulge, params_)) continue;
       candidates.push_back(std::move(candidate));
-      look(outline, input, candidates.back());
+      measure(outline, input, candidates.back());
     }
     std::ranges::sort(candidates, {}, &Candidate::regions);
     return candidates;
@@ -86,14 +86,14 @@ class RuleBasedFinder final : public CandidateFinder {
   /// Regions in full view: only their size counts.
   [[nodiscard]] std::vector<RegionExtent> completeRegions(const RegionCensus& census, const cv::Rect& visible,
                                                           const DiscoveryInput& input) const {
-    std::vector<RegionExtent> whole;
+    std::vector<RegionExtent> complete;
     for (const RegionExtent& extent : census.extents) {
       RegionExtent enlarged = extent;
-      enlarged.pixels *= kMinPartOfThing;
+      enlarged.pixels *= kPartSizeFactor;
       if (isOffBorder(extent, visible, params_) && hasEnoughPoints(enlarged, input.view.K, params_))
-        whole.push_back(extent);
+        complete.push_back(extent);
     }
-    return whole;
+    return complete;
   }
 
   /// Regions that the border cuts off and that earlier frames showed completely.
@@ -103,7 +103,7 @@ class RuleBasedFinder final : public CandidateFinder {
     for (const RegionExtent& extent : census.extents) {
       if (!isOffBorder(extent, visible, params_) && hasEnoughPoints(extent, input.view.K, params_) &&
           reaches_.isSeenToItsEnds(extent.region, params_.persistent_frames) &&
-          reaches_.shownPart(extent.region) >= kMaxOfThing)
+          reaches_.shownPart(extent.region) >= kMinVisiblePart)
         cut.push_back(extent);
     }
     return cut;
@@ -122,13 +122,13 @@ class RuleBasedFinder final : public CandidateFinder {
                                           const std::vector<RegionHypothesis>& all) {
     return std::ranges::all_of(hypothesis.regions, [&](RegionId region) {
       const auto alone = std::ranges::lower_bound(all, RegionSet{region}, {}, &RegionHypothesis::regions);
-      const bool is_thing =
+      const bool is_object =
           alone == all.end() || alone->regions != RegionSet{region} || !alone->is_inconsistent;
-      return !is_thing || outline.own() >= outlines.of({region}).own() - kOutlineSlack;
+      return !is_object || outline.own() >= outlines.of({region}).own() - kOutlineSlack;
     });
   }
 
-  void look(const OutlineSteps& outline, const DiscoveryInput& input, Candidate& candidate) {
+  void measure(const OutlineSteps& outline, const DiscoveryInput& input, Candidate& candidate) {
     const Eigen::Vector3f camera_center = input.view.T_world_camera.translation().cast<float>();
     candidate.outline = outline.own();
     candidate.hidden = outline.hiddenPart();

@@ -25,7 +25,7 @@ bool SizeHistory::isPersistent(const RegionSet& regions, int frames, float toler
   return largest > 0 && largest - smallest <= tolerance * largest;
 }
 
-void SizeHistory::follow(RegionId into, RegionId from) {
+void SizeHistory::joinRegions(RegionId into, RegionId from) {
   std::vector<std::pair<RegionSet, std::vector<float>>> changed;
   for (auto entry = areas_.begin(); entry != areas_.end();) {
     if (!entry->first.contains(from)) {
@@ -33,7 +33,7 @@ void SizeHistory::follow(RegionId into, RegionId from) {
       continue;
     }
     changed.emplace_back(entry->first, std::move(entry->second));
-    changed.back().first.follow(into, from);
+    changed.back().first.join(into, from);
     entry = areas_.erase(entry);
   }
   for (auto& [regions, areas] : changed) areas_.try_emplace(std::move(regions), std::move(areas));

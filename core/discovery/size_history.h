@@ -24,7 +24,7 @@ class SizeHistory {
   [[nodiscard]] bool isPersistent(const RegionSet& regions, int frames, float tolerance) const;
 
   /// `from` is now part of `into`. If two sets become equal, the existing one keeps its history.
-  void follow(RegionId into, RegionId from);
+  void joinRegions(RegionId into, RegionId from);
 
   [[nodiscard]] std::size_t setCount() const { return areas_.size(); }
 

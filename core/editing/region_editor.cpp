@@ -40,7 +40,7 @@ std::set<std::pair<RegionId, RegionId>> joinedBy(const OperationLog::Entry& entr
 }
 
 UserLabel userLabelOf(const RegionNote& note) {
-  if (!note.name.empty() || note.object) return UserLabel::thing;
+  if (!note.name.empty() || note.object) return UserLabel::object;
   return note.background || note.rejected ? UserLabel::background : UserLabel::nothing;
 }
 
@@ -141,7 +141,7 @@ Result<void> RegionEditor::join(Work& work, const std::vector<RegionId>& regions
     if (notes_.of(into) == RegionNote{}) write(work, into, notes_.of(from));
     table_.join(into, from);
     work.outcome.events.joined.emplace_back(into, from);
-    say(work, a, b, LinkConstraint::must_link);
+    constrain(work, a, b, LinkConstraint::must_link);
   }
   work.outcome.regions = {into};
   return {};
@@ -254,12 +254,12 @@ std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region,
     const auto keeper = static_cast<std::size_t>(largest - found->second.begin());
     for (std::size_t p = 0; p < parts; ++p) {
       if (found->second[p].empty()) continue;
-      const FragmentId holder = p == keeper ? fragment : table_.newFragmentBeside(fragment);
+      const FragmentId target = p == keeper ? fragment : table_.newFragmentBeside(fragment);
       if (p != keeper) {
-        map_.relabel(found->second[p], holder);
-        log_.splitOff(holder, fragment);
+        map_.relabel(found->second[p], target);
+        log_.splitOff(target, fragment);
       }
-      fragments[p].push_back(holder);
+      fragments[p].push_back(target);
     }
   }
   std::erase_if(fragments, [](const Fragments& of_part) { return of_part.empty(); });
@@ -283,15 +283,15 @@ void RegionEditor::divide(Work& work, const std::vector<Fragments>& parts) {
 }
 
 void RegionEditor::keepApart(Work& work, const Fragments& one, const Fragments& other) {
-  say(work, largestOf(one), largestOf(other), LinkConstraint::cannot_link);
+  constrain(work, largestOf(one), largestOf(other), LinkConstraint::cannot_link);
   for (const FragmentId a : one) {
     for (const FragmentId b : merger_->neighborsOf(a)) {
-      if (std::ranges::find(other, b) != other.end()) say(work, a, b, LinkConstraint::cannot_link);
+      if (std::ranges::find(other, b) != other.end()) constrain(work, a, b, LinkConstraint::cannot_link);
     }
   }
 }
 
-void RegionEditor::say(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint) {
+void RegionEditor::constrain(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint) {
   const LinkConstraint before = merger_->constraintBetween(a, b);
   merger_->constrain(a, b, constraint);
   if (before != constraint) work.effect.constraints.push_back({a, b, before, constraint});
@@ -315,7 +315,7 @@ void RegionEditor::write(Work& work, RegionId region, const RegionNote& note) {
 
 void RegionEditor::setNote(RegionId region, const RegionNote& note) {
   notes_.set(region, note);
-  table_.say(region, userLabelOf(note));
+  table_.setUserLabel(region, userLabelOf(note));
 }
 
 void RegionEditor::takeInNewFragments(const OperationLog::Entry& entry, bool is_undo) {
@@ -373,7 +373,8 @@ Result<RegionEditor::Outcome> RegionEditor::undo() {
     merger_->constrain(constraint.a, constraint.b, constraint.before);
   for (const auto& note : effect.notes) setNote(note.region, note.before);
   // Restored regions get their former labels.
-  for (const RegionMove& move : effect.moves) table_.say(move.before, userLabelOf(notes_.of(move.before)));
+  for (const RegionMove& move : effect.moves)
+    table_.setUserLabel(move.before, userLabelOf(notes_.of(move.before)));
   outcome.regions = entry->operation.regions;
   outcome.operation = entry->operation;
   return outcome;
@@ -390,7 +391,8 @@ Result<RegionEditor::Outcome> RegionEditor::redo() {
   for (const auto& constraint : effect.constraints)
     merger_->constrain(constraint.a, constraint.b, constraint.after);
   for (const auto& note : effect.notes) setNote(note.region, note.after);
-  for (const RegionMove& move : effect.moves) table_.say(move.after, userLabelOf(notes_.of(move.after)));
+  for (const RegionMove& move : effect.moves)
+    table_.setUserLabel(move.after, userLabelOf(notes_.of(move.after)));
   outcome.regions = entry->operation.regions;
   outcome.operation = entry->operation;
   return outcome;

@@ -78,7 +78,7 @@ class RegionEditor {
   /// Makes the parts of one region separate regions, with constraints.
   void divide(Work& work, const std::vector<Fragments>& parts);
   void keepApart(Work& work, const Fragments& one, const Fragments& other);
-  void say(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint);
+  void constrain(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint);
   void write(Work& work, RegionId region, const RegionNote& note);
   void setNote(RegionId region, const RegionNote& note);
   [[nodiscard]] FragmentId largestOf(std::span<const FragmentId> fragments) const;

@@ -10,11 +10,11 @@
 namespace scantrove {
 namespace {
 
-constexpr double kWholeOverlap = 0.6;
+constexpr double kCompleteOverlap = 0.6;
 constexpr double kBackgroundShare = 0.5;
 constexpr double kPartShare = 0.75;
 constexpr double kNamedShare = 0.15;
-constexpr double kWholeViews = 0.8;
+constexpr double kCompleteViews = 0.8;
 constexpr double kVisible_px = 400;
 constexpr int kVisibleFrames = 30;
 constexpr double kSmallest_m = 0.05;
@@ -74,7 +74,7 @@ ViewJudgment judgeView(const cv::Mat& mask, const cv::Rect& box, const cv::Mat& 
   cv::Mat visible;
   cv::compare(instances, main_object, visible, cv::CMP_EQ);
   const int united = overlaps.mask_area + cv::countNonZero(visible) - main_pixels;
-  if (main_pixels > kWholeOverlap * united) return {CatalogueVerdict::whole, {main_object}};
+  if (main_pixels > kCompleteOverlap * united) return {CatalogueVerdict::complete, {main_object}};
   if (overlaps.mask_area - object_pixels >= kBackgroundShare * overlaps.mask_area) {
     return {CatalogueVerdict::background, namedInstances(overlaps)};
   }
@@ -90,22 +90,22 @@ EntryJudgment judgeEntry(std::span<const ViewJudgment> views) {
   entry.views = static_cast<int>(views.size());
   int most_others = 0;
   Kind others;
-  Kind whole;
+  Kind complete;
   for (const auto& [kind, count] : counts) {
-    if (kind.first == CatalogueVerdict::whole && count > entry.whole_views) {
-      entry.whole_views = count;
-      whole = kind;
-    } else if (kind.first != CatalogueVerdict::whole && count > most_others) {
+    if (kind.first == CatalogueVerdict::complete && count > entry.complete_views) {
+      entry.complete_views = count;
+      complete = kind;
+    } else if (kind.first != CatalogueVerdict::complete && count > most_others) {
       most_others = count;
       others = kind;
     }
   }
-  const bool is_complete = entry.views > 0 && entry.whole_views >= kWholeViews * entry.views;
-  if (!is_complete && most_others == 0 && entry.views > 0) {  // whole views, but of different objects
+  const bool is_complete = entry.views > 0 && entry.complete_views >= kCompleteViews * entry.views;
+  if (!is_complete && most_others == 0 && entry.views > 0) {  // complete views, but of different objects
     for (const auto& [kind, count] : counts) others.second.push_back(kind.second.front());
     others.first = CatalogueVerdict::merger;
   }
-  if (entry.views > 0) std::tie(entry.verdict, entry.instances) = is_complete ? whole : others;
+  if (entry.views > 0) std::tie(entry.verdict, entry.instances) = is_complete ? complete : others;
   return entry;
 }
 
@@ -149,8 +149,8 @@ CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgment> entries,
   std::set<int> found;
   for (const EntryJudgment& entry : entries) {
     ++metrics.entries;
-    if (entry.verdict != CatalogueVerdict::whole) continue;
-    ++metrics.whole;
+    if (entry.verdict != CatalogueVerdict::complete) continue;
+    ++metrics.complete;
     if (!found.insert(entry.instances.front()).second) ++metrics.duplicates;
   }
   double found_entirely = 0;
@@ -162,7 +162,7 @@ CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgment> entries,
     ++metrics.seen_entirely;
     if (found.contains(instance)) ++found_entirely;
   }
-  metrics.purity = metrics.entries > 0 ? static_cast<double>(metrics.whole) / metrics.entries : 0;
+  metrics.purity = metrics.entries > 0 ? static_cast<double>(metrics.complete) / metrics.entries : 0;
   const double missing = static_cast<double>(metrics.missing.size());
   metrics.completeness = metrics.expected > 0 ? 1 - missing / metrics.expected : 0;
   metrics.completeness_of_entire = metrics.seen_entirely > 0 ? found_entirely / metrics.seen_entirely : 0;

@@ -9,7 +9,7 @@ namespace scantrove {
 
 /// Verdict on the mask of a view, or on most views of an entry.
 enum class CatalogueVerdict {
-  whole,       ///< one true object: intersection over union above 0.6
+  complete,    ///< one true object: intersection over union above 0.6
   part,        ///< almost only one true object, but incomplete
   merger,      ///< several true objects, or an object and something else
   background,  ///< mostly no object, or not annotated
@@ -18,7 +18,7 @@ enum class CatalogueVerdict {
 /// One view compared with the truth of its frame.
 struct ViewJudgment {
   CatalogueVerdict verdict = CatalogueVerdict::background;
-  std::vector<int> instances;  ///< one for whole and part; else all with a share, largest first
+  std::vector<int> instances;  ///< one for complete and part; else all with a share, largest first
 };
 
 /// `mask` (255 = object) fills `box` of the frame, both in pixels of `truth` (as toLabelGrid takes it; 0 =
@@ -33,10 +33,10 @@ struct EntryJudgment {
   CatalogueVerdict verdict = CatalogueVerdict::background;
   std::vector<int> instances;
   int views = 0;
-  int whole_views = 0;  ///< whole views of the object that most of them show
+  int complete_views = 0;  ///< complete views of the object that most of them show
 };
 
-/// Whole if at least 80 % of the views are, all of the same object; else the verdict of most of the other
+/// Complete if at least 80 % of the views are, all of the same object; else the verdict of most of the other
 /// views.
 [[nodiscard]] EntryJudgment judgeEntry(std::span<const ViewJudgment> views);
 
@@ -57,15 +57,15 @@ struct TrueObject {
 void countVisible(const cv::Mat& truth, std::map<int, TrueObject>& objects);
 
 struct CatalogueMetrics {
-  double purity = 0;        ///< share of the entries that are whole; 0 where there are none
+  double purity = 0;        ///< share of the entries that are complete; 0 where there are none
   double completeness = 0;  ///< share of the expected objects that are found; 0 where there are none
   int entries = 0;
-  int whole = 0;
+  int complete = 0;
   int expected = 0;                   ///< number of expected objects
   std::vector<int> missing;           ///< expected objects not found
   int seen_entirely = 0;              ///< expected objects that were in the image as a whole for long enough
   double completeness_of_entire = 0;  ///< share of those that are found; 0 where there are none
-  int duplicates = 0;                 ///< whole entries beyond the first of their object
+  int duplicates = 0;                 ///< complete entries beyond the first of their object
 };
 
 [[nodiscard]] CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgment> entries,

@@ -16,7 +16,7 @@ namespace {
 /// The pyramid level used. A hand 3 m away is some pixels wide there.
 constexpr std::size_t kLevel = 1;
 /// Fewer pixels are noise.
-constexpr int kFewestPixels = 12;
+constexpr int kMinPixels = 12;
 /// Surface is settled after kSettled observations. If more than kMaxFresh of it is not, all of it counts.
 constexpr cl_int kSettled = 4;
 constexpr double kMaxFresh = 0.3;
@@ -32,8 +32,8 @@ DepthView viewOf(ComputeContext& compute, const DepthPyramid& frame,
   return view;
 }
 
-/// The mask, or an empty one if it has under kFewestPixels pixels.
-cv::Mat orNone(cv::Mat mask) { return cv::countNonZero(mask) < kFewestPixels ? cv::Mat() : std::move(mask); }
+/// The mask, or an empty one if it has under kMinPixels pixels.
+cv::Mat orNone(cv::Mat mask) { return cv::countNonZero(mask) < kMinPixels ? cv::Mat() : std::move(mask); }
 
 cl::NDRange pixelsOf(const Intrinsics& K) {
   return {static_cast<std::size_t>(K.width), static_cast<std::size_t>(K.height)};
@@ -47,7 +47,7 @@ Result<std::unique_ptr<MotionFilter>> MotionFilter::create(ComputeContext& compu
   SCANTROVE_TRY(moveInto(filter->leave_out_depth_, compute.kernel(kernels::fusion, "leave_out_depth")));
   SCANTROVE_TRY(moveInto(filter->leave_out_fresh_, compute.kernel(kernels::fusion, "leave_out_fresh")));
   filter->fresh_counts_ = {compute.context(), 2};
-  SCANTROVE_TRY(moveInto(filter->mark_surface_, compute.kernel(kernels::fusion, "doubt_surface")));
+  SCANTROVE_TRY(moveInto(filter->mark_mismatch_, compute.kernel(kernels::fusion, "mark_mismatch")));
   SCANTROVE_TRY(moveInto(filter->leave_out_surface_, compute.kernel(kernels::fusion, "leave_out_surface")));
   return filter;
 }
@@ -72,21 +72,21 @@ const DepthPyramid& MotionFilter::still(const DepthPyramid& frame, const Eigen::
 }
 
 void MotionFilter::apply(const DepthPyramid& frame, BrickMap& bricks, SurfaceMaps& surface) {
-  if (!vacated_.empty()) doubt(frame, bricks, surface);
+  if (!vacated_.empty()) markMismatch(frame, bricks, surface);
   if (moving_.empty()) return;
   leave_out_surface_.launch(pixelsOf(surface.K), cl::NullRange, sent(moving_), cl_int{moving_.cols},
                             cl_int{moving_.rows}, surface.vertices_world, surface.normals_world);
 }
 
-void MotionFilter::doubt(const DepthPyramid& frame, BrickMap& bricks, const SurfaceMaps& surface) {
+void MotionFilter::markMismatch(const DepthPyramid& frame, BrickMap& bricks, const SurfaceMaps& surface) {
   const Eigen::Vector3f eye = surface.T_world_camera.translation().cast<float>();
   const float at_0_m = kBehind.at(0, params_.depth_noise_m);
   const cl_float2 apart{{at_0_m, kBehind.at(1, params_.depth_noise_m) - at_0_m}};
-  mark_surface_.launch(pixelsOf(surface.K), cl::NullRange, sent(vacated_), cl_int{vacated_.cols},
-                       cl_int{vacated_.rows}, frame.levels.front().vertices_camera, surface.vertices_world,
-                       toKernel(surface.T_world_camera.inverse()), toKernel(eye.x(), eye.y(), eye.z(), 0),
-                       apart, bricks.voxelSize(), params_.truncation_vox * bricks.voxelSize(),
-                       bricks.device().table(), bricks.device().tableMask(), bricks.pools().weights());
+  mark_mismatch_.launch(pixelsOf(surface.K), cl::NullRange, sent(vacated_), cl_int{vacated_.cols},
+                        cl_int{vacated_.rows}, frame.levels.front().vertices_camera, surface.vertices_world,
+                        toKernel(surface.T_world_camera.inverse()), toKernel(eye.x(), eye.y(), eye.z(), 0),
+                        apart, bricks.voxelSize(), params_.truncation_vox * bricks.voxelSize(),
+                        bricks.device().table(), bricks.device().tableMask(), bricks.pools().weights());
 }
 
 const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const BrickMap& bricks) {

@@ -52,7 +52,7 @@ class MotionFilter {
   MotionFilter(ComputeContext& compute, const FusionParams& params)
       : compute_(compute), params_(params), free_space_(params.depth_noise_m) {}
 
-  void doubt(const DepthPyramid& frame, BrickMap& bricks, const SurfaceMaps& surface);
+  void markMismatch(const DepthPyramid& frame, BrickMap& bricks, const SurfaceMaps& surface);
   /// Uploads a mask to the device.
   [[nodiscard]] const Buffer<cl_uchar>& sent(const cv::Mat& mask);
 
@@ -60,7 +60,7 @@ class MotionFilter {
   FusionParams params_;
   FreeSpace free_space_;
   AppearedObjects appeared_objects_;
-  Kernel leave_out_depth_, leave_out_surface_, leave_out_fresh_, mark_surface_;
+  Kernel leave_out_depth_, leave_out_surface_, leave_out_fresh_, mark_mismatch_;
   DepthPyramid still_;
   Buffer<cl_float> depth_m_;
   Buffer<cl_uchar> mask_;

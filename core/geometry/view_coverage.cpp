@@ -37,7 +37,7 @@ const Centers& cellCenters() {
 
 }  // namespace
 
-void ViewCoverage::look(const Eigen::Vector3f& direction) {
+void ViewCoverage::addDirection(const Eigen::Vector3f& direction) {
   const float length = direction.norm();
   if (!std::isfinite(length) || !(length > 0)) return;
   const float least = std::cos(radians(kReach_deg)) * length;

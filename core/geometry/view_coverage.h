@@ -12,7 +12,7 @@ class ViewCoverage {
  public:
   static constexpr std::size_t kCells = 256;  ///< 14 degrees apart: finer than kReach_deg
   using Cells = std::bitset<kCells>;
-  /// A look shows about what one from so far aside would.
+  /// A view also covers directions up to this angle from its own.
   static constexpr float kReach_deg = 22.5F;
 
   ViewCoverage() = default;
@@ -20,7 +20,7 @@ class ViewCoverage {
   explicit ViewCoverage(const Cells& cells) : cells_(cells) {}
 
   /// It was seen from there. One that is not a finite, non-zero vector changes nothing.
-  void look(const Eigen::Vector3f& direction);
+  void addDirection(const Eigen::Vector3f& direction);
   /// It is part of what the other one is of, or the other way round.
   void add(const ViewCoverage& other) { cells_ |= other.cells_; }
 

@@ -53,10 +53,10 @@ class FrameOutlines {
     for (int y = 0; y < K_.height; ++y) {
       for (int x = 0; x < K_.width; ++x) {
         if (isWithin(x, y)) continue;
-        look(x, y, 1, 0);
-        look(x, y, 0, 1);
-        look(x, y, -1, 0);
-        look(x, y, 0, -1);
+        visit(x, y, 1, 0);
+        visit(x, y, 0, 1);
+        visit(x, y, -1, 0);
+        visit(x, y, 0, -1);
       }
     }
     std::ranges::sort(touches_, {}, [](const Touch& touch) {
@@ -89,7 +89,7 @@ class FrameOutlines {
 
  private:
   struct Known {
-    bool is_thing = false;
+    bool is_small = false;
     Outline outline;
   };
 
@@ -112,18 +112,18 @@ class FrameOutlines {
     int voxels = 0;
     for (const FragmentId fragment : table_.fragmentsOf(region))
       voxels += fragment.value < input_.voxels.size() ? input_.voxels[fragment.value] : 0;
-    entry->second.is_thing = voxels <= kMaxVoxels;
+    entry->second.is_small = voxels <= kMaxVoxels;
     return entry->second;
   }
 
-  void look(int x, int y, int dx, int dy) {
+  void visit(int x, int y, int dx, int dy) {
     const std::size_t here = K_.indexOf(x, y);
     const RegionId region = regions_[here];
     if (!region) return;
     const bool is_cut = !K_.isInside(x + dx, y + dy);
     if (!is_cut && regions_[K_.indexOf(x + dx, y + dy)] == region) return;
     Known& known = know(region);
-    if (!known.is_thing) return;
+    if (!known.is_small) return;
     Outline& outline = known.outline;
     const int u = x + kBeyondEdge_px * dx, v = y + kBeyondEdge_px * dy;
     if (is_cut || !K_.isInside(u, v)) {
@@ -144,7 +144,7 @@ class FrameOutlines {
       return;
     }
     ++outline.touching;
-    if (other && know(other).is_thing) touches_.push_back({region, other, here, there});
+    if (other && know(other).is_small) touches_.push_back({region, other, here, there});
   }
 
   void collectNear(const Touch& touch, std::vector<std::size_t>& pixels) const {
@@ -184,8 +184,8 @@ std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMer
   const std::span<const Touch> touches = outlines.touches();
   std::map<std::pair<RegionId, RegionId>, Attachment> found;
   for (std::size_t first = 0, next = 0; first < touches.size(); first = next) {
-    const auto [part, holder] = std::pair(touches[first].from, touches[first].to);
-    while (next < touches.size() && touches[next].from == part && touches[next].to == holder) ++next;
+    const auto [part, whole] = std::pair(touches[first].from, touches[first].to);
+    while (next < touches.size() && touches[next].from == part && touches[next].to == whole) ++next;
     const std::span<const Touch> contact = touches.subspan(first, next - first);
     const Outline& outline = outlines.of(part);
     if (contact.size() < kMinContact || !outline.isSeen()) continue;
@@ -193,7 +193,7 @@ std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMer
         static_cast<float>(contact.size()) >= kOnlyOne * static_cast<float>(outline.touching);
     const std::optional<float> flat = is_only_one ? outlines.flatPart(contact) : 1;
     if (!flat || (*flat > kMaxCurved && *flat < kMinFlat)) continue;
-    const auto [low, high] = std::minmax(part, holder);
+    const auto [low, high] = std::minmax(part, whole);
     const auto [entry, is_new] = found.try_emplace({low, high}, Attachment{low, high, false, {}});
     Attachment& attachment = entry->second;
     attachment.is_attached = attachment.is_attached || *flat <= kMaxCurved;

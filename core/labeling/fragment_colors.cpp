@@ -5,11 +5,11 @@
 
 namespace scantrove {
 
-void ColorComparison::moveTowards(const ColorComparison& look, float part) {
+void ColorComparison::moveTowards(const ColorComparison& observed, float part) {
   for (const auto value :
        {&ColorComparison::difference, &ColorComparison::chroma_difference, &ColorComparison::shared,
         &ColorComparison::shared_chroma, &ColorComparison::elsewhere, &ColorComparison::variety}) {
-    this->*value += part * (look.*value - this->*value);
+    this->*value += part * (observed.*value - this->*value);
   }
 }
 

@@ -23,7 +23,7 @@ struct ColorComparison {
   float variety = 6;            ///< standard deviation of the colours within the plainer fragment
 
   /// Adds an observation to a running mean, with weight `part`.
-  void moveTowards(const ColorComparison& look, float part);
+  void moveTowards(const ColorComparison& observed, float part);
 };
 
 /// The colours of each fragment's visible part in one frame.

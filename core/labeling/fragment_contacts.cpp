@@ -75,8 +75,8 @@ class StepFinder {
       const FragmentId* below = parts_.data() + at(0, std::min(y + 1, last_y));
       for (int x = 0; x <= last_x; ++x) {
         if (!row[x]) continue;
-        if (x < last_x && row[x + 1] != row[x]) look(x, y, 1, 0);
-        if (below[x] != row[x]) look(x, y, 0, 1);
+        if (x < last_x && row[x + 1] != row[x]) visit(x, y, 1, 0);
+        if (below[x] != row[x]) visit(x, y, 0, 1);
       }
     }
     std::ranges::sort(sums_, {}, &Sum::pair);
@@ -87,7 +87,7 @@ class StepFinder {
   [[nodiscard]] std::size_t at(int x, int y) const { return input_.view.K.indexOf(x, y); }
   [[nodiscard]] bool isInside(int x, int y) const { return input_.view.K.isInside(x, y); }
 
-  void look(int x, int y, int dx, int dy) {
+  void visit(int x, int y, int dx, int dy) {
     for (int step = 1; step <= kLongestStep_px; ++step) {
       const int u = x + step * dx, v = y + step * dy;
       if (!isInside(u, v)) return;

@@ -71,14 +71,14 @@ std::vector<FragmentSplitter::Split> FragmentSplitter::find(const MergeInput& in
     ++side.pixels;
   }
   std::vector<Split> splits;
-  std::set<FragmentId> split_now;     // one split per fragment and frame
-  std::set<std::uint32_t> looked_at;  // one observation per side and frame
+  std::set<FragmentId> split_now;   // one split per fragment and frame
+  std::set<std::uint32_t> counted;  // one observation per side and frame
   for (const FragmentContact& contact : findContacts(input, parts)) {
     const FragmentId fragment = owner[contact.a.value];
     if (fragment != owner[contact.b.value] || split_now.contains(fragment)) continue;
     const std::uint32_t smaller =
         sides[contact.a.value].pixels < sides[contact.b.value].pixels ? contact.a.value : contact.b.value;
-    if (!looked_at.insert(smaller).second) continue;
+    if (!counted.insert(smaller).second) continue;
     const Side& side = sides[smaller];
     if (!isConfirmed(fragment, side.sum / static_cast<float>(side.pixels), side.area_m2)) continue;
     splits.push_back({fragment, smaller, contact});

@@ -74,7 +74,7 @@ class AppearedFragments {
       if (!input.view.fragments[pixel]) continue;
       Pixels& pixels = of_fragment_[input.view.fragments[pixel]];
       ++pixels.all;
-      if (input.appeared[pixel] != 0) ++pixels.of_thing[input.appeared[pixel]];
+      if (input.appeared[pixel] != 0) ++pixels.of_object[input.appeared[pixel]];
     }
   }
 
@@ -93,16 +93,16 @@ class AppearedFragments {
   static constexpr double kAppeared = 0.6, kStayed = 0.2;
   struct Pixels {
     int all = 0;
-    std::map<int, int> of_thing;
+    std::map<int, int> of_object;
   };
 
   [[nodiscard]] int thingOf(FragmentId fragment) const {
     const auto found = of_fragment_.find(fragment);
     if (found == of_fragment_.end()) return kUnclear;
-    const auto& [all, of_thing] = found->second;
+    const auto& [all, of_object] = found->second;
     int appeared = 0;
-    for (const auto& [thing, count] : of_thing) {
-      if (count >= kAppeared * all) return thing;
+    for (const auto& [object, count] : of_object) {
+      if (count >= kAppeared * all) return object;
       appeared += count;
     }
     return appeared <= kStayed * all ? kWasThere : kUnclear;
@@ -138,7 +138,7 @@ SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
 
 }  // namespace
 
-void GraphMerger::look(const MergeInput& input, const Overlaps& overlaps) {
+void GraphMerger::addEvidence(const MergeInput& input, const Overlaps& overlaps) {
   const SegmentShares shares(overlaps);
   const AppearedFragments arrived(input);
   const std::vector<FragmentId> parts = withoutSmallPieces(input.view.fragments, input.view.K.width,
@@ -157,7 +157,7 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
   Outcome outcome;
   const SegmentMap& segments = input.segments;
   const Overlaps overlaps = buildOverlapGraph<FragmentId>(segments, input.view.fragments);
-  look(input, overlaps);
+  addEvidence(input, overlaps);
   updatePartition(touched_, graph_, input.voxels, params, table, outcome.events);
   touched_.clear();
 

@@ -41,7 +41,7 @@ class GraphMerger final : public RegionMerger {
 
  private:
   using Overlaps = OverlapGraph<FragmentId>;
-  void look(const MergeInput& input, const Overlaps& overlaps);
+  void addEvidence(const MergeInput& input, const Overlaps& overlaps);
   void attachParts(const MergeInput& input, const Outcome& outcome, const RegionTable& table);
   void splitFragment(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,
                      RegionTable& table, Outcome& outcome);

@@ -32,7 +32,7 @@ void ObservationRecorder::record(const RenderedView& view, RegionTable& table) {
   for (const FragmentId fragment : in_view_) {
     const Seen& region = regions_.at(table.regionOf(fragment));
     if (region.points >= least_points)
-      table.look(fragment, camera - region.sum / static_cast<float>(region.points));
+      table.addViewDirection(fragment, camera - region.sum / static_cast<float>(region.points));
   }
 }
 

@@ -161,13 +161,14 @@ class Divider {
     std::map<RegionId, std::uint32_t> largest;
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
       const RegionId region = table.regionOf(members_[i]);
-      if (table.said(region) == UserLabel::nothing) continue;
+      if (table.userLabel(region) == UserLabel::nothing) continue;
       const auto [found, is_first] = largest.try_emplace(region, i);
       if (!is_first && voxelsOf(members_[i]) > voxelsOf(members_[found->second])) found->second = i;
     }
     for (auto one = largest.begin(); one != largest.end(); ++one) {
       for (auto other = std::next(one); other != largest.end(); ++other) {
-        if (table.said(one->first) == UserLabel::thing || table.said(other->first) == UserLabel::thing)
+        if (table.userLabel(one->first) == UserLabel::object ||
+            table.userLabel(other->first) == UserLabel::object)
           constraints.add(one->second, other->second, Constraint::cannot_link);
       }
     }

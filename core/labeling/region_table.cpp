@@ -77,13 +77,13 @@ bool RegionTable::isKnown(RegionId region) const {
   return found != members_.end() && found->second.known;
 }
 
-void RegionTable::say(RegionId region, UserLabel said) {
-  if (const auto found = members_.find(region); found != members_.end()) found->second.said = said;
+void RegionTable::setUserLabel(RegionId region, UserLabel label) {
+  if (const auto found = members_.find(region); found != members_.end()) found->second.label = label;
 }
 
-UserLabel RegionTable::said(RegionId region) const {
+UserLabel RegionTable::userLabel(RegionId region) const {
   const auto found = members_.find(region);
-  return found == members_.end() ? UserLabel::nothing : found->second.said;
+  return found == members_.end() ? UserLabel::nothing : found->second.label;
 }
 
 RegionId RegionTable::newRegion() {
@@ -108,8 +108,8 @@ void RegionTable::setRegion(FragmentId fragment, RegionId region) {
   }
 }
 
-std::vector<FragmentId> RegionTable::takeChanged(Follower follower) {
-  Changes& changes = changes_[static_cast<std::size_t>(follower)];
+std::vector<FragmentId> RegionTable::takeChanged(Reader reader) {
+  Changes& changes = changes_[static_cast<std::size_t>(reader)];
   for (const FragmentId fragment : changes.fragments) changes.is_listed[fragment.value] = false;
   return std::exchange(changes.fragments, {});
 }
@@ -177,7 +177,7 @@ void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std:
     RegionId region;
   };
   const auto strengthOf = [this](RegionId region) {
-    return said(region) != UserLabel::nothing ? 2 : isKnown(region) ? 1 : 0;
+    return userLabel(region) != UserLabel::nothing ? 2 : isKnown(region) ? 1 : 0;
   };
   std::vector<Claim> claims;
   for (std::size_t part = 0; part < parts.size(); ++part) {

@@ -28,7 +28,7 @@ struct RegionMove {
 enum class UserLabel {
   nothing,
   background,  ///< stuff; may be joined with other background
-  thing        ///< an object of its own
+  object       ///< an object of its own
 };
 
 /// Fragment -> region. Voxels hold fragments, so joining or splitting regions here affects every voxel, in
@@ -52,8 +52,8 @@ class RegionTable {
   [[nodiscard]] std::span<const FragmentId> fragmentsOf(RegionId region) const;
 
   /// Records that the fragment is seen; `direction`: from it to the camera, world.
-  void look(FragmentId fragment, const Eigen::Vector3f& direction) {
-    seen_from_.at(fragment.value).look(direction);
+  void addViewDirection(FragmentId fragment, const Eigen::Vector3f& direction) {
+    seen_from_.at(fragment.value).addDirection(direction);
   }
   /// View coverage of a fragment; empty if it does not exist.
   [[nodiscard]] ViewCoverage seenFrom(FragmentId fragment) const;
@@ -65,8 +65,8 @@ class RegionTable {
   void setKnown(RegionId region, bool known);
   [[nodiscard]] bool isKnown(RegionId region) const;
   /// Sets a person's label, which gives the region the strongest identity in joins.
-  void say(RegionId region, UserLabel said);
-  [[nodiscard]] UserLabel said(RegionId region) const;
+  void setUserLabel(RegionId region, UserLabel label);
+  [[nodiscard]] UserLabel userLabel(RegionId region) const;
 
   /// Moves all fragments of `from` to `into`. False if they are equal or one does not exist.
   bool join(RegionId into, RegionId from);
@@ -90,15 +90,15 @@ class RegionTable {
   /// Increases with each change.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Consumers that keep a copy.
-  enum class Follower { window, session };
-  /// Fragments whose region changed since the follower's last call, each once.
-  [[nodiscard]] std::vector<FragmentId> takeChanged(Follower follower = Follower::window);
+  enum class Reader { window, session };
+  /// Fragments whose region changed since the reader's last call, each once.
+  [[nodiscard]] std::vector<FragmentId> takeChanged(Reader reader = Reader::window);
 
  private:
   struct Region {
     std::vector<FragmentId> fragments;  // rising
     bool known = false;
-    UserLabel said = UserLabel::nothing;
+    UserLabel label = UserLabel::nothing;
   };
   FragmentId takeNumber();
   RegionId newRegion();
@@ -109,12 +109,12 @@ class RegionTable {
   std::vector<ViewCoverage> seen_from_{ViewCoverage{}};  // by fragment, as regions_
   std::vector<FragmentId> free_;                         // for reuse, lowest last
   std::map<RegionId, Region> members_;
-  /// Changes that a follower has not taken yet.
+  /// Changes that a reader has not taken yet.
   struct Changes {
     std::vector<FragmentId> fragments;
     std::vector<bool> is_listed;  // by fragment
   };
-  std::array<Changes, 2> changes_;  // by follower
+  std::array<Changes, 2> changes_;  // by reader
   std::uint32_t last_region_ = 0;
   std::uint64_t version_ = 0;
 };

@@ -11,7 +11,7 @@ std::optional<CameraMemory> CameraContinuation::memory() {
   fusion_.save(memory);
   if (PoseTracker* tracker = tracking_.tracker()) {
     memory.tracker = tracker->memory();
-    memory.followed_normals_world = readView(compute_, tracking_.followed()).normals_world;
+    memory.reference_normals_world = readView(compute_, tracking_.reference()).normals_world;
   }
   return memory;
 }
@@ -22,17 +22,17 @@ bool CameraContinuation::restoreState(CameraMemory memory) {
   tracking_.setK(memory.view.K);
   fusion_.restore(memory);
   if (tracker == nullptr) return true;
-  memory.view.normals_world = std::move(memory.followed_normals_world);
-  SurfaceMaps followed;
-  writeView(compute_, memory.view, followed);
-  tracking_.follow(followed);
+  memory.view.normals_world = std::move(memory.reference_normals_world);
+  SurfaceMaps reference;
+  writeView(compute_, memory.view, reference);
+  tracking_.setReference(reference);
   tracker->restoreState(std::move(*memory.tracker));
   return true;
 }
 
-bool CameraContinuation::recallPose(const Eigen::Isometry3d& T_world_camera) {
+bool CameraContinuation::replayPose(const Eigen::Isometry3d& T_world_camera) {
   PoseTracker* tracker = tracking_.tracker();
-  return tracker != nullptr && tracker->passBy(T_world_camera);
+  return tracker != nullptr && tracker->replayPose(T_world_camera);
 }
 
 void CameraContinuation::addKeyFrame(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
@@ -48,8 +48,8 @@ void CameraContinuation::relocalizeNear(const Eigen::Isometry3d& T_world_camera)
   PoseTracker* tracker = tracking_.tracker();
   if (tracker == nullptr) return;
   fusion_.raycast(T_world_camera, tracking_.intrinsics());
-  tracking_.follow(fusion_.surface());
-  tracker->resumeAt(T_world_camera);
+  tracking_.setReference(fusion_.surface());
+  tracker->relocalizeNear(T_world_camera);
 }
 
 }  // namespace scantrove

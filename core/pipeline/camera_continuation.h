@@ -25,7 +25,7 @@ class CameraContinuation {
 
   /// For an interrupted scan, frame by frame in order, without lost frames: adds the camera's pose. Returns
   /// whether the frame was a tracking key frame: addKeyFrame() must follow.
-  [[nodiscard]] bool recallPose(const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] bool replayPose(const Eigen::Isometry3d& T_world_camera);
   /// Adds an earlier frame of this map with its pose, for relocalisation.
   void addKeyFrame(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   /// The camera is somewhere in the map, perhaps near this pose.

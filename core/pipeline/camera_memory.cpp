@@ -208,7 +208,7 @@ std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
   to.put(memory.view.K);
   put(to, memory.view.T_world_camera);
   for (const auto* maps :
-       {&memory.view.vertices_world, &memory.view.normals_world, &memory.followed_normals_world})
+       {&memory.view.vertices_world, &memory.view.normals_world, &memory.reference_normals_world})
     put(to, *maps);
   return to.take();
 }
@@ -223,13 +223,14 @@ std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> word
   memory.color_turns = from.get<ColorIntegrator::Turns>();
   memory.view.K = getCamera(from);
   memory.view.T_world_camera = getPose(from);
-  for (auto* maps : {&memory.view.vertices_world, &memory.view.normals_world, &memory.followed_normals_world})
+  for (auto* maps :
+       {&memory.view.vertices_world, &memory.view.normals_world, &memory.reference_normals_world})
     *maps = getVectors(from);
   const auto pixels =
       static_cast<std::size_t>(memory.view.K.width) * static_cast<std::size_t>(memory.view.K.height);
   const bool is_complete = from.isAtEnd() && memory.view.vertices_world.size() == pixels &&
                            memory.view.normals_world.size() == pixels &&
-                           (!memory.tracker || memory.followed_normals_world.size() == pixels);
+                           (!memory.tracker || memory.reference_normals_world.size() == pixels);
   return is_complete ? std::optional(std::move(memory)) : std::nullopt;
 }
 

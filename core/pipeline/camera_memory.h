@@ -22,7 +22,7 @@ struct CameraMemory {
   ColorIntegrator::Turns color_turns;
   RenderedView view;  ///< of the last usable frame, without labels
   /// The surface that the camera is tracked against; empty: poses are given.
-  std::vector<Eigen::Vector4f> followed_normals_world;
+  std::vector<Eigen::Vector4f> reference_normals_world;
 };
 
 /// Serializes for disk.

@@ -42,12 +42,12 @@ FrameTracking::Located FrameTracking::locate(const RgbdFrame& frame) {
     const DepthPyramid& depth = preprocessor_->pyramid();
     const RgbdFrame& begun = attempt.clues.frame;
     if (begun.index == frame.index && begun.depth.data == frame.depth.data)
-      return located(depth, [&] { return tracker_->track(std::move(attempt), depth, followed_); });
+      return located(depth, [&] { return tracker_->track(std::move(attempt), depth, reference_); });
   }
   const DepthPyramid& depth =
       timer_.time("filter", [&]() -> const DepthPyramid& { return preprocessor_->process(frame); });
   return located(depth,
-                 [&] { return tracker_ ? tracker_->track(frame, depth, followed_) : givenPose(frame); });
+                 [&] { return tracker_ ? tracker_->track(frame, depth, reference_) : givenPose(frame); });
 }
 
 void FrameTracking::beginNext(const NextFrame& next) {
@@ -56,18 +56,18 @@ void FrameTracking::beginNext(const NextFrame& next) {
   const std::optional<RgbdFrame> frame = next();
   if (!frame) return;
   next_ = std::async(std::launch::async, [this, attempt = tracker_->beginAttempt(*frame)]() mutable {
-    tracker_->registerToModel(attempt, preprocessor_->process(attempt.clues.frame), followed_);
+    tracker_->registerToModel(attempt, preprocessor_->process(attempt.clues.frame), reference_);
     return std::move(attempt);
   });
 }
 
-FrameTracking::Learned FrameTracking::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
-                                                  const SurfaceMaps& surface) {
+FrameTracking::KeyFrameOutcome FrameTracking::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
+                                                          const SurfaceMaps& surface) {
   if (!tracker_) return {};
-  Learned learned;
-  learned.is_key_frame = timer_.time("track", [&] { return tracker_->addKeyFrame(frame, depth, surface); });
-  learned.returned = tracker_->takeReturned();
-  return learned;
+  KeyFrameOutcome outcome;
+  outcome.is_key_frame = timer_.time("track", [&] { return tracker_->addKeyFrame(frame, depth, surface); });
+  outcome.returned = tracker_->takeReturned();
+  return outcome;
 }
 
 std::vector<LateFrame> FrameTracking::reconsider(const Integrate& integrate) {

@@ -42,14 +42,14 @@ class FrameTracking {
   void beginNext(const NextFrame& next);
 
   /// Call after the frame was integrated; `surface` is the map rendered from its pose.
-  struct Learned {
+  struct KeyFrameOutcome {
     bool is_key_frame = false;                  ///< relocalisation uses this frame from now on
     std::optional<RevisitedKeyFrame> returned;  ///< the place revisited by a recent frame
   };
-  [[nodiscard]] Learned addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
-                                    const SurfaceMaps& surface);
+  [[nodiscard]] KeyFrameOutcome addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
+                                            const SurfaceMaps& surface);
   /// The part of the surface for registering the next frame. Poses are tracked.
-  void follow(const SurfaceMaps& settled) { followed_ = settled; }
+  void setReference(const SurfaceMaps& settled) { reference_ = settled; }
 
   /// Calls `integrate` with earlier frames whose uncertain poses have become certain.
   using Integrate = std::function<void(const DepthPyramid&, const Eigen::Isometry3d& T_world_camera)>;
@@ -61,7 +61,7 @@ class FrameTracking {
   [[nodiscard]] const DepthPyramid& prepare(const RgbdFrame& frame) { return preprocessor_->process(frame); }
   /// Null: poses are given.
   [[nodiscard]] PoseTracker* tracker() { return tracker_.get(); }
-  [[nodiscard]] const SurfaceMaps& followed() const { return followed_; }
+  [[nodiscard]] const SurfaceMaps& reference() const { return reference_; }
   /// Waits until no other thread works.
   void awaitNext();
 
@@ -73,7 +73,7 @@ class FrameTracking {
   Intrinsics K_;
   std::unique_ptr<DepthPreprocessor> preprocessor_;
   std::unique_ptr<PoseTracker> tracker_;
-  SurfaceMaps followed_;
+  SurfaceMaps reference_;
   std::future<PoseTracker::TrackingAttempt> next_;  // uses the members above, so it is destroyed first
 };
 

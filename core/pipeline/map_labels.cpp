@@ -58,7 +58,7 @@ float MapLabels::joiningOdds(RegionId a, RegionId b, const RegionTable& table,
 void MapLabels::setKnown(const RegionSet& regions, Known known) {
   for (const RegionId region : regions) {
     table_.setKnown(region, known != Known::no);
-    if (known == Known::one_thing) merger_->mustBeOne(*regions.begin(), region, table_);
+    if (known == Known::one_object) merger_->mustBeOne(*regions.begin(), region, table_);
   }
 }
 

@@ -49,7 +49,7 @@ class MapLabels {
   [[nodiscard]] float joiningOdds(RegionId a, RegionId b, const RegionTable& table,
                                   const LabelingParams& params) const;
   /// Frames neither join nor split a known region; all `regions` of one thing become one region.
-  enum class Known { no, yes, one_thing };
+  enum class Known { no, yes, one_object };
   void setKnown(const RegionSet& regions, Known known);
   void setRule(LabelingParams::Rule rule);
 

@@ -73,11 +73,11 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   fusion_->integrate(depth, T_world_camera);
   timer_.time("raycast", [&] {
     fusion_->raycast(depth, T_world_camera, K);
-    if (tracking_->tracker() != nullptr) tracking_->follow(fusion_->settledSurface());
+    if (tracking_->tracker() != nullptr) tracking_->setReference(fusion_->settledSurface());
   });
-  const FrameTracking::Learned learned = tracking_->addKeyFrame(frame, depth, surface);
-  result.is_tracking_key_frame = learned.is_key_frame;
-  result.returned = learned.returned;
+  const FrameTracking::KeyFrameOutcome outcome = tracking_->addKeyFrame(frame, depth, surface);
+  result.is_tracking_key_frame = outcome.is_key_frame;
+  result.returned = outcome.returned;
 
   // The partition uses one thread; independent work runs beside it.
   timer_.time("segment", [&] { segmenter_->weigh(surface, params_.segmentation); });
@@ -110,7 +110,7 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   result.region_events = std::move(merged.events);
   timer_.time("discover", [&] {
     labels_->recordDirections(result.view);
-    follow(result.region_events);
+    applyRegionEvents(result.region_events);
     findCandidates(*finder_, labels_->table(), newly_appeared, result);
   });
 
@@ -141,7 +141,7 @@ void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable&
   findCandidates(finder, table, {}, observed);
 }
 
-void MappingPipeline::follow(const RegionEvents& events) {
+void MappingPipeline::applyRegionEvents(const RegionEvents& events) {
   for (const auto& [into, from] : events.joined) finder_->regionsJoined(into, from);
   for (const auto& [from, part] : events.parted) finder_->regionParted(from);
 }
@@ -150,19 +150,19 @@ Result<RegionEditor::Outcome> MappingPipeline::edit(const Operation& operation) 
   Operation numbered = operation;
   numbered.frame = frames_;
   return guarded("editing the regions",
-                 [&] { return followed(labels_->editor().apply(numbered, params_.labeling)); });
+                 [&] { return applied(labels_->editor().apply(numbered, params_.labeling)); });
 }
 
 Result<RegionEditor::Outcome> MappingPipeline::undo() {
-  return guarded("undoing", [&] { return followed(labels_->editor().undo()); });
+  return guarded("undoing", [&] { return applied(labels_->editor().undo()); });
 }
 
 Result<RegionEditor::Outcome> MappingPipeline::redo() {
-  return guarded("doing it again", [&] { return followed(labels_->editor().redo()); });
+  return guarded("doing it again", [&] { return applied(labels_->editor().redo()); });
 }
 
-Result<RegionEditor::Outcome> MappingPipeline::followed(Result<RegionEditor::Outcome> outcome) {
-  if (outcome) follow(outcome->events);
+Result<RegionEditor::Outcome> MappingPipeline::applied(Result<RegionEditor::Outcome> outcome) {
+  if (outcome) applyRegionEvents(outcome->events);
   return outcome;
 }
 
@@ -175,7 +175,7 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
     RegionMerger::Outcome merged =
         labels_->merge(segments, seen.view, seen.observed.color_lab, {}, params_.labeling);
     labels_->update(observed_, merged, params_.labeling);
-    follow(merged.events);
+    applyRegionEvents(merged.events);
     return std::move(merged.events);
   };
   return guarded("segmenting frame " + std::to_string(frame.index) + " more closely", segment);

@@ -66,7 +66,7 @@ class MappingPipeline {
   /// Finds candidates for objects in it, with the regions of `table`.
   void findCandidates(CandidateSource& finder, const RegionTable& table, FrameResult& observed) const;
   /// Tells discovery about changes of regions by others.
-  void follow(const RegionEvents& events);
+  void applyRegionEvents(const RegionEvents& events);
 
   /// Segments the last frame again with the current parameters (empty without a pose), or a view of the
   /// map. Neither changes map or labels. Error: the device failed.
@@ -94,7 +94,7 @@ class MappingPipeline {
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame, const NextFrame& next);
   void findCandidates(CandidateSource& finder, const RegionTable& table,
                       std::span<const std::uint8_t> newly_appeared, FrameResult& result) const;
-  [[nodiscard]] Result<RegionEditor::Outcome> followed(Result<RegionEditor::Outcome> outcome);
+  [[nodiscard]] Result<RegionEditor::Outcome> applied(Result<RegionEditor::Outcome> outcome);
   [[nodiscard]] Intrinsics closeCamera(const cv::Size& depth) const;
   [[nodiscard]] Error outOfMemory(int frame_index) const;
 

@@ -48,7 +48,7 @@ void addRequested(const ObjectCollector& collector, const DiscoveryInput& input,
   }
 }
 
-void follow(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by) {
+void applyRegionEvents(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by) {
   for (const auto& [into, from] : events.joined) collector.joinRegions(into, from, by);
   for (const auto& [from, part] : events.parted) collector.splitRegion(from, part);
 }

@@ -19,6 +19,6 @@ void addRequested(const ObjectCollector& collector, const DiscoveryInput& input,
                   std::vector<Candidate>& candidates);
 
 /// Tells the collector about changes of regions.
-void follow(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by);
+void applyRegionEvents(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by);
 
 }  // namespace scantrove

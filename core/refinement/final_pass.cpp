@@ -107,7 +107,7 @@ Result<bool> FinalPass::segment() {
                          [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) -> Result<void> {
                            const Result<RegionEvents> events = pipeline_.segmentCloser(frame, T);
                            if (!events) return fail(events.error());
-                           follow(collector_, *events, ObjectCollector::JoinedBy::frames);
+                           applyRegionEvents(collector_, *events, ObjectCollector::JoinedBy::frames);
                            return {};
                          });
 }
@@ -148,9 +148,9 @@ Result<bool> FinalPass::rate() {
     for (const RatedSets::Rated& set : rated.disjoint(kComplete)) parts.push_back(set.regions);
     RegionEvents events;
     finer.apply(parts, labels.table(), labels.merger(), labels.voxelsOfFragments(), events);
-    pipeline_.follow(events);
+    pipeline_.applyRegionEvents(events);
     rated.rename([&](const RegionSet& set) { return finer.regionsOf(set, pipeline_.labels().table()); });
-    follow(collector_, events, ObjectCollector::JoinedBy::frames);
+    applyRegionEvents(collector_, events, ObjectCollector::JoinedBy::frames);
     if (!events.parted.empty()) SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.labels().table())));
   }
   std::vector<CompleteSet> complete;

@@ -28,7 +28,7 @@ FinerRegions::FinerRegions(const RegionTable& table, const RegionMerger& merger,
     : table_(table) {
   const std::set<RegionId> regions(table.regions().begin() + 1, table.regions().end());
   for (const RegionId region : regions) {
-    if (!region || table.isKnown(region) || table.said(region) != UserLabel::nothing || stays(region))
+    if (!region || table.isKnown(region) || table.userLabel(region) != UserLabel::nothing || stays(region))
       continue;
     const std::vector<Fragments> parts = merger.partsOf(region, kLess, table, voxels, params);
     if (parts.size() < 2) continue;
@@ -57,12 +57,12 @@ std::vector<FragmentId> FinerRegions::fragmentsOf(const RegionSet& finer) const 
   return all;
 }
 
-void FinerRegions::apply(std::span<const RegionSet> wholes, RegionTable& table, RegionMerger& merger,
+void FinerRegions::apply(std::span<const RegionSet> complete, RegionTable& table, RegionMerger& merger,
                          std::span<const int> voxels, RegionEvents& events) const {
   std::map<RegionId, std::vector<Fragments>> parts;
-  for (const RegionSet& whole : wholes) {
+  for (const RegionSet& set : complete) {
     std::map<RegionId, Fragments> of_region;
-    for (const FragmentId fragment : fragmentsOf(whole))
+    for (const FragmentId fragment : fragmentsOf(set))
       of_region[table.regionOf(fragment)].push_back(fragment);
     for (auto& [region, fragments] : of_region) {
       std::ranges::sort(fragments);

@@ -27,9 +27,9 @@ class FinerRegions {
   /// All parts of some undivided regions.
   [[nodiscard]] RegionSet partsOf(const RegionSet& regions) const;
 
-  /// Makes regions of the `wholes` (of table(), without common parts). The remainder of each affected
+  /// Makes regions of the `complete` sets (of table(), without common parts). The remainder of each affected
   /// region stays one region. The merger keeps the parts separate from then on.
-  void apply(std::span<const RegionSet> wholes, RegionTable& table, RegionMerger& merger,
+  void apply(std::span<const RegionSet> complete, RegionTable& table, RegionMerger& merger,
              std::span<const int> voxels, RegionEvents& events) const;
   /// The regions of `table` after apply() that make up `finer`. None: `finer` is only a part of a region.
   [[nodiscard]] std::optional<RegionSet> regionsOf(const RegionSet& finer, const RegionTable& table) const;

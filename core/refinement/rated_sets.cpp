@@ -16,7 +16,7 @@ constexpr float kLessOfLarge = 2;  // subtracted for each factor e of size
 
 }  // namespace
 
-bool RatedSets::Look::isBetterThan(const Look& other) const {
+bool RatedSets::Observation::isBetterThan(const Observation& other) const {
   return is_cut_off != other.is_cut_off ? other.is_cut_off : objectness > other.objectness;
 }
 
@@ -29,8 +29,9 @@ void RatedSets::add(int frame_index, std::span<const Candidate> candidates) {
   for (const Candidate& candidate : candidates) {
     if (!candidate.objectness) continue;
     Observations& observations = observations_[candidate.regions];
-    const Look look{candidate.is_cut_off, *candidate.objectness, frame_index};
-    if (!observations.to_show || look.isBetterThan(*observations.to_show)) observations.to_show = look;
+    const Observation observation{candidate.is_cut_off, *candidate.objectness, frame_index};
+    if (!observations.to_show || observation.isBetterThan(*observations.to_show))
+      observations.to_show = observation;
     observations.best.insert(
         std::ranges::lower_bound(observations.best, *candidate.objectness, std::greater<>()),
         *candidate.objectness);

@@ -35,16 +35,16 @@ class RatedSets {
   [[nodiscard]] bool isUnlikely(RegionId region, float least_objectness) const;
 
  private:
-  struct Look {
+  struct Observation {
     bool is_cut_off = false;
     float objectness = 0;
     int frame_index = 0;
-    [[nodiscard]] bool isBetterThan(const Look& other) const;
+    [[nodiscard]] bool isBetterThan(const Observation& other) const;
   };
   struct Observations {
     std::vector<float> best;  ///< Candidate::objectness, descending; at most eight
     float longest_m = 0;      ///< the longest side in Candidate::size_m
-    std::optional<Look> to_show;
+    std::optional<Observation> to_show;
     [[nodiscard]] float together() const;
   };
   std::map<RegionSet, Observations> observations_;

@@ -36,12 +36,12 @@ std::optional<Error> ScanAdvisor::addFrame(const RgbdFrame& frame, bool is_usabl
 }
 
 std::optional<Error> ScanAdvisor::adviceOnDepth(const RgbdFrame& frame) {
-  if (looked_at_ >= kFramesToJudge) return std::nullopt;
-  ++looked_at_;
+  if (judged_frames_ >= kFramesToJudge) return std::nullopt;
+  ++judged_frames_;
   const double share = shareBeyond(frame, static_cast<double>(max_depth_m_));
   far_ += share > kMax ? 1 : 0;
   far_share_ += share > kMax ? share : 0;
-  if (looked_at_ < kFramesToJudge || far_ <= kFramesToJudge / 2) return std::nullopt;
+  if (judged_frames_ < kFramesToJudge || far_ <= kFramesToJudge / 2) return std::nullopt;
   const long percent = std::lround(100 * far_share_ / far_);
   return Error{"Of most images about " + std::to_string(percent) + " % is farther away than " +
                    meters(static_cast<double>(max_depth_m_)) + " and is left out.",
@@ -49,7 +49,7 @@ std::optional<Error> ScanAdvisor::adviceOnDepth(const RgbdFrame& frame) {
                "that far away, the depth scale is wrong (--depth-scale)."};
 }
 
-Error ScanAdvisor::beginAnew(int frame_index) {
+Error ScanAdvisor::restart(int frame_index) {
   const int dropped = std::exchange(usable_, 0);
   lost_in_a_row_ = 0;
   return {"The camera was lost after the first " +

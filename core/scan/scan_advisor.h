@@ -30,7 +30,7 @@ class ScanAdvisor {
     return usable_ > 0 && usable_ <= kYoungMapFrames && lost_in_a_row_ >= kLostFrames;
   }
   /// A new map begins; returns the message for that.
-  [[nodiscard]] Error beginAnew(int frame_index);
+  [[nodiscard]] Error restart(int frame_index);
   /// At the end of a scan: advice if most frames have no pose.
   [[nodiscard]] static std::optional<Error> adviceOn(const FrameCounts& frames);
 
@@ -40,8 +40,8 @@ class ScanAdvisor {
   float max_depth_m_;
   int usable_ = 0;  // frames of the map
   int lost_in_a_row_ = 0;
-  int looked_at_ = 0, far_ = 0;  // frames, and those that are mostly too far away
-  double far_share_ = 0;         // sum over those frames
+  int judged_frames_ = 0, far_ = 0;  // frames, and those that are mostly too far away
+  double far_share_ = 0;             // sum over those frames
 };
 
 }  // namespace scantrove

@@ -54,7 +54,7 @@ struct ExportDataset {
 };
 struct CancelExport {};
 /// The catalogue was edited. Frames detect that themselves; this is for a paused scan.
-struct FollowCatalogue {};
+struct ApplyCatalogueChanges {};
 /// Replaces the parameters before the next frame (fusion parameters need a new scan). The frame shown by a
 /// paused scan or an open session is segmented again: only `segments` of ScanSnapshot changes.
 struct SetParams {
@@ -63,6 +63,6 @@ struct SetParams {
 
 using ScanCommand = std::variant<StartScan, PauseScan, ResumeScan, StepScan, StopScan, CloseScan,
                                  SkipRefinement, EditRegions, ShowKeyFrame, PreviewExport, SampleExport,
-                                 ExportDataset, CancelExport, FollowCatalogue, SetParams>;
+                                 ExportDataset, CancelExport, ApplyCatalogueChanges, SetParams>;
 
 }  // namespace scantrove

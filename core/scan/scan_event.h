@@ -43,7 +43,7 @@ struct ObjectsMerged {
   ObjectId into;
   std::vector<ObjectId> from;
 };  ///< the regions of these objects belong to one object
-struct ObjectLeft {
+struct ObjectRemoved {
   ObjectId object;
 };  ///< it was removed: its views show something else than its regions
 struct ObjectNamed {
@@ -101,8 +101,8 @@ struct ScanFinished {
 };
 using ScanEvent =
     std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognized, ViewAdded,
-                 ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted, ScanAdvice,
-                 Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped,
+                 ObjectsMerged, ObjectRemoved, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted,
+                 ScanAdvice, Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped,
                  ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Called on the worker's thread, in order; must return quickly (a window queues the event).

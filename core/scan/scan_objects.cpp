@@ -14,7 +14,7 @@ namespace scantrove {
 Result<FrameObjects> ScanObjects::addFrame(const RgbdFrame& frame, const FrameResult& result) {
   if (!result.pose.usable()) return FrameObjects{};
   const auto add = [&]() -> Result<FrameObjects> {
-    scantrove::follow(*collector_, result.region_events, ObjectCollector::JoinedBy::frames);
+    applyRegionEvents(*collector_, result.region_events, ObjectCollector::JoinedBy::frames);
     std::vector<Candidate> candidates = candidatesFor(
         *collector_, result, pipeline_.labels().editor().notes(), pipeline_.params().discovery.min_points);
     FrameObjects objects = pipeline_.timer().time("detect", [&] {
@@ -34,34 +34,35 @@ void ScanObjects::keepKnown(const FrameObjects& objects) {
   for (const SeenObject& seen : objects.seen) {
     // A confirmed object is one thing, whatever number of regions it was found as.
     pipeline_.labels().setKnown(
-        seen.regions, seen.confirmed ? Known::one_thing : (seen.recognized ? Known::yes : Known::no));
+        seen.regions, seen.confirmed ? Known::one_object : (seen.recognized ? Known::yes : Known::no));
   }
 }
 
-void ScanObjects::follow(const RegionEditor::Outcome& outcome, EditDirection direction) {
+void ScanObjects::applyEdit(const RegionEditor::Outcome& outcome, EditDirection direction) {
   const int number = lastOperation(pipeline_.labels().editor().log(), direction == EditDirection::undone);
   if (direction == EditDirection::undone) {
     joins_.remove(number);
   } else {
     joins_.add(number, outcome.events, collector_->objects());
   }
-  scantrove::follow(*collector_, outcome.events, ObjectCollector::JoinedBy::user);
+  applyRegionEvents(*collector_, outcome.events, ObjectCollector::JoinedBy::user);
   const Operation& operation = outcome.operation;
-  if (isNaming(operation.kind) && !operation.name.empty()) followNames(operation, direction);
+  if (isNaming(operation.kind) && !operation.name.empty()) applyNames(operation, direction);
   if (operation.kind == OperationKind::object && operation.on && direction == EditDirection::undone) {
     for (const RegionId region : operation.regions) collector_->requests().undoObject(region);
   }
   std::vector<RegionId> regions = operation.regions;
   regions.insert(regions.end(), outcome.regions.begin(), outcome.regions.end());
-  const bool is_said = isNaming(operation.kind) || operation.kind == OperationKind::object ||
-                       operation.kind == OperationKind::background || operation.kind == OperationKind::reject;
+  const bool is_label = isNaming(operation.kind) || operation.kind == OperationKind::object ||
+                        operation.kind == OperationKind::background ||
+                        operation.kind == OperationKind::reject;
   for (const RegionId region : regions) {
-    if (!requestNoted(region) && (is_said || direction == EditDirection::undone))
+    if (!requestNoted(region) && (is_label || direction == EditDirection::undone))
       collector_->requests().cancel(region);
   }
 }
 
-void ScanObjects::followNames(const Operation& operation, EditDirection direction) {
+void ScanObjects::applyNames(const Operation& operation, EditDirection direction) {
   if (direction == EditDirection::done) {
     for (const RegionId region : operation.regions) collector_->requests().name(region, operation.name);
   } else if (direction == EditDirection::redone) {
@@ -79,8 +80,8 @@ void ScanObjects::followNames(const Operation& operation, EditDirection directio
 
 bool ScanObjects::requestNoted(RegionId region) {
   const RegionNote& note = pipeline_.labels().editor().notes().of(region);
-  const bool is_thing = (note.object || !note.name.empty()) && !note.background && !note.rejected;
-  if (!is_thing || pipeline_.labels().table().fragmentsOf(region).empty()) return false;
+  const bool is_object = (note.object || !note.name.empty()) && !note.background && !note.rejected;
+  if (!is_object || pipeline_.labels().table().fragmentsOf(region).empty()) return false;
   collector_->requests().request(region, note.name);
   return true;
 }

@@ -35,7 +35,7 @@ class ScanObjects {
   void restore(const SavedScan& scan);
 
   /// Call after a user edited regions.
-  void follow(const RegionEditor::Outcome& outcome, EditDirection direction);
+  void applyEdit(const RegionEditor::Outcome& outcome, EditDirection direction);
   /// The label of each region, from edits here and from the catalogue.
   [[nodiscard]] std::map<RegionId, RegionLabel> labels() const;
 
@@ -52,8 +52,8 @@ class ScanObjects {
   /// region.
   void keepKnown(const FrameObjects& objects);
   /// Applies the names of the edited regions.
-  void followNames(const Operation& operation, EditDirection direction);
-  /// Requests the region as an object if a user marked it as a thing. False: it is not.
+  void applyNames(const Operation& operation, EditDirection direction);
+  /// Requests the region as an object if a user marked it as one. False: not marked.
   bool requestNoted(RegionId region);
   [[nodiscard]] Result<void> addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce);
 

@@ -43,7 +43,7 @@ void ScanOutput::begin(const SavedScan& earlier) {
   final_labels_.begin(earlier);
 }
 
-void ScanOutput::beginAnew() {
+void ScanOutput::restart() {
   trajectory_.clear();
   if (!label_images_) return;
   label_images_->discard();
@@ -78,14 +78,15 @@ Result<void> ScanOutput::finish(MappingPipeline& pipeline, const std::map<Region
     outcome.note(guarded(activity, work));
   };
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
-  const FrameLabelWriter::RenderView look = [&](const Eigen::Isometry3d& T) {
+  const FrameLabelWriter::RenderView render = [&](const Eigen::Isometry3d& T) {
     return pipeline.readout().renderView(T, pipeline.workingIntrinsics());
   };
-  if (label_images_) attempt("writing the label images", [&] { return label_images_->finish(look); });
+  if (label_images_) attempt("writing the label images", [&] { return label_images_->finish(render); });
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, labels); });
   // Last, because it may read whole recordings again.
   const FinalLabelRecord own = label_images_ ? label_images_->written() : FinalLabelRecord();
-  attempt("drawing the label images again", [&] { return final_labels_.redraw(own, numbers_, look, store); });
+  attempt("drawing the label images again",
+          [&] { return final_labels_.redraw(own, numbers_, render, store); });
   return outcome.result();
 }
 

@@ -30,7 +30,7 @@ class ScanOutput {
   void begin(const SavedScan& earlier);
 
   /// Drops all frames so far.
-  void beginAnew();
+  void restart();
 
   /// Error: label images of this or an earlier frame could not be written.
   [[nodiscard]] Result<void> addFrame(const RgbdFrame& frame, const FrameResult& result);

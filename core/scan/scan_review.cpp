@@ -67,16 +67,16 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
 
 Result<void> ScanReview::showAll() {
   snapshots_.addBricks(session_->pipeline().readout().allBricks());
-  return lookAgain();
+  return showCurrent();
 }
 
 Result<void> ScanReview::showKeyFrame(int place) {
   if (place < 0 || place >= static_cast<int>(key_frames_.size())) return {};
   shown_ = place;
-  return lookAgain();
+  return showCurrent();
 }
 
-Result<void> ScanReview::lookAgain() {
+Result<void> ScanReview::showCurrent() {
   session_->readCatalogue();
   if (shown_ < 0) return post();
   MappingPipeline& pipeline = session_->pipeline();
@@ -152,13 +152,13 @@ Result<void> ScanReview::edit(const ScanEdit& edit) {
   snapshots_.endEdit(session_->pipeline());
   if (const std::optional<Error> failure = session_->takeFailure()) listener_(MapFailed{*failure});
   if (outcome) {
-    const Result<void> told = applyToCatalogue(*session_);
-    if (!told) listener_(CatalogueFailed{told.error()});
+    const Result<void> applied = applyToCatalogue(*session_);
+    if (!applied) listener_(CatalogueFailed{applied.error()});
     listener_(Edited{edit, outcome->regions});
   } else {
     listener_(EditFailed{edit, outcome.error()});
   }
-  return lookAgain();
+  return showCurrent();
 }
 
 template <class Event, class Value>

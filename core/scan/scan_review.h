@@ -44,7 +44,7 @@ class ScanReview {
   ScanReview(std::unique_ptr<OpenSession> session, ScanListener listener, LatestValue<ScanSnapshot>& mailbox);
   [[nodiscard]] Result<void> post();
   /// The current key frame with its current labels.
-  [[nodiscard]] Result<void> lookAgain();
+  [[nodiscard]] Result<void> showCurrent();
   /// The session's data about the regions of a key frame.
   [[nodiscard]] std::vector<SeenObject> objectsIn(const FrameResult& result, const RgbdFrame& frame) const;
   /// S_t of the current key frame, from the rendered view of the map.

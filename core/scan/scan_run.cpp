@@ -49,7 +49,7 @@ Result<ScanRun::Step> ScanRun::step() {
     case FrameRead::Status::failed:
       return fail(read.error);
     case FrameRead::Status::timeout:
-      followCatalogue();
+      applyCatalogueChanges();
       return Step::nothing_yet;
     case FrameRead::Status::skipped:
       SCANTROVE_TRY(skip(read));
@@ -83,7 +83,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   if (const auto drift = tally_->addFrame(*result, frame.index)) listener_(MapDrifted{*drift});
   if (is_usable) parts_.keeps_earlier_scan = false;
   announce(*objects);
-  if (!is_usable) followCatalogue();
+  if (!is_usable) applyCatalogueChanges();
   announceMapFailure();
   if (parts_.local_poses != nullptr) parts_.setOrigin(parts_.local_poses->origin());
   if (parts_.output) SCANTROVE_TRY(parts_.output->addFrame(frame, *result));
@@ -93,7 +93,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   result->candidates.clear();
   snapshots_.addFrame(*parts_.pipeline, std::move(frame), std::move(*result), std::move(objects->seen));
   if (const std::optional<Error> advice = advisor_->addFrame(shown, is_usable)) advise(*advice);
-  return beginAnewIfMisled(shown.index);
+  return restartIfMisled(shown.index);
 }
 
 Result<void> ScanRun::skip(const FrameRead& read) {
@@ -101,10 +101,10 @@ Result<void> ScanRun::skip(const FrameRead& read) {
   listener_(FrameSkipped{read.frame.index, read.error});
   if (parts_.local_poses == nullptr) return {};
   advisor_->addRefused();
-  return beginAnewIfMisled(read.frame.index);
+  return restartIfMisled(read.frame.index);
 }
 
-Result<void> ScanRun::beginAnewIfMisled(int frame_index) {
+Result<void> ScanRun::restartIfMisled(int frame_index) {
   if (!advisor_->isMisled()) return {};
   const bool is_untouched = !parts_.request.resume &&
                             parts_.pipeline->labels().editor().log().entries().empty() &&
@@ -113,12 +113,12 @@ Result<void> ScanRun::beginAnewIfMisled(int frame_index) {
   const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(parts_.request.database);
   if (!database) return fail(database.error());
   SCANTROVE_TRY(
-      parts_.makeMap(**database, [this](MappingPipeline& given_up) { snapshots_.beginAnew(given_up); }));
-  tally_->beginAnew();
-  if (parts_.recorder) parts_.recorder->beginAnew();
-  if (parts_.output) parts_.output->beginAnew();
+      parts_.makeMap(**database, [this](MappingPipeline& given_up) { snapshots_.restart(given_up); }));
+  tally_->restart();
+  if (parts_.recorder) parts_.recorder->restart();
+  if (parts_.output) parts_.output->restart();
   if (parts_.local_poses != nullptr) parts_.local_poses->forget();
-  advise(advisor_->beginAnew(frame_index));
+  advise(advisor_->restart(frame_index));
   return {};
 }
 
@@ -146,7 +146,7 @@ void ScanRun::announce(const FrameObjects& objects) {
   for (const ObjectId object : objects.new_views) listener_(ViewAdded{object});
   for (const NamedObject& named : objects.named) listener_(ObjectNamed{named.object, named.name});
   for (const ObjectMerge& merge : objects.merged) listener_(ObjectsMerged{merge.into, merge.from});
-  for (const ObjectId object : objects.left) listener_(ObjectLeft{object});
+  for (const ObjectId object : objects.removed) listener_(ObjectRemoved{object});
   if (objects.catalogue_failure) listener_(CatalogueFailed{*objects.catalogue_failure});
 }
 
@@ -157,10 +157,10 @@ void ScanRun::announceMapFailure() {
   if (const std::optional<Error> failure = parts_.recorder->takeFailure()) listener_(MapFailed{*failure});
 }
 
-bool ScanRun::followCatalogue() {
-  const FrameObjects objects = parts_.objects->collector().followCatalogue();
+bool ScanRun::applyCatalogueChanges() {
+  const FrameObjects objects = parts_.objects->collector().applyCatalogueChanges();
   announce(objects);
-  return objects.has_events;
+  return objects.is_catalogue_changed;
 }
 
 void ScanRun::setParams(const ScanParams& params) {
@@ -178,9 +178,9 @@ Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit) {
                  [&](UndoEdit) { return pipeline.undo(); }, [&](RedoEdit) { return pipeline.redo(); }},
       edit);
   if (!outcome) return outcome;
-  parts_.objects->follow(*outcome, std::holds_alternative<UndoEdit>(edit)   ? EditDirection::undone
-                                   : std::holds_alternative<RedoEdit>(edit) ? EditDirection::redone
-                                                                            : EditDirection::done);
+  parts_.objects->applyEdit(*outcome, std::holds_alternative<UndoEdit>(edit)   ? EditDirection::undone
+                                      : std::holds_alternative<RedoEdit>(edit) ? EditDirection::redone
+                                                                               : EditDirection::done);
   if (!parts_.recorder) return outcome;
   keepJoins();
   // Reported as done only when stored.

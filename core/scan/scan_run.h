@@ -20,7 +20,7 @@ namespace scantrove {
 /// snapshots and events out, results at the end. One thread, the worker's.
 class ScanRun {
  public:
-  /// Opens everything that `request` names (ScanOpener). `on_events`: followCatalogue() has events to
+  /// Opens everything that `request` names (ScanOpener). `on_events`: applyCatalogueChanges() has events to
   /// report; called on another thread.
   [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
                                                              ScanListener listener,
@@ -40,7 +40,7 @@ class ScanRun {
 
   /// Reads and reports changes of the catalogue; frames include this. False: nothing new yet; `on_events`
   /// of open() reports when there is.
-  bool followCatalogue();
+  bool applyCatalogueChanges();
   void setParams(const ScanParams& params);
   /// Segments the last frame again with the current parameters for the next snapshot; the map stays
   /// unchanged. Error: the device failed.
@@ -78,7 +78,7 @@ class ScanRun {
   void keepJoins();
   void advise(const Error& advice);
   /// Replaces a young map that misled tracking by a new one, if it has no objects and no edits.
-  [[nodiscard]] Result<void> beginAnewIfMisled(int frame_index);
+  [[nodiscard]] Result<void> restartIfMisled(int frame_index);
   void refine(const Ending& ending);
   void fillReport(ScanReport& report);
   /// Error: no frame was integrated into the map.

@@ -51,12 +51,12 @@ std::optional<Error> ScanTally::measureDrift(const FrameResult& result, int fram
   ++drift_.revisited_key_frames;
   // Reported once, and again when clearly worse.
   const double drift_m = result.returned->drift_m;
-  const bool is_told = drift_m > kReportedDrift_m && drift_m > kClearlyWorse * drift_.most_m;
+  const bool is_reported = drift_m > kReportedDrift_m && drift_m > kClearlyWorse * drift_.most_m;
   drift_.most_m = std::max(drift_.most_m, drift_m);
-  return is_told ? std::optional(hasDrifted(drift_m, frame_index)) : std::nullopt;
+  return is_reported ? std::optional(hasDrifted(drift_m, frame_index)) : std::nullopt;
 }
 
-void ScanTally::beginAnew() {
+void ScanTally::restart() {
   frames_.lost += std::exchange(frames_.tracked, 0);
   frames_.relocalized = 0;
   drift_ = {};

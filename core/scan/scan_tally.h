@@ -22,7 +22,7 @@ class ScanTally {
   void addDropped(int frames) { frames_.dropped += frames; }
   void addFrameTime(double ms) { frame_ms_.push_back(ms); }
   /// The map is replaced by a new one: its frames are lost.
-  void beginAnew();
+  void restart();
 
   /// Wall time that counts.
   void startClock();

@@ -20,8 +20,8 @@ template <class Command, class... Others>
 constexpr bool kIsOneOf = (std::is_same_v<Command, Others> || ...);
 
 template <class Command>
-constexpr bool kNewestReplaces =
-    kIsOneOf<Command, ShowKeyFrame, SetParams, FollowCatalogue, PreviewExport, SampleExport, ExportDataset>;
+constexpr bool kNewestReplaces = kIsOneOf<Command, ShowKeyFrame, SetParams, ApplyCatalogueChanges,
+                                          PreviewExport, SampleExport, ExportDataset>;
 
 template <class Command>
 constexpr bool kEndsScan = kIsOneOf<Command, StartScan, CloseScan>;
@@ -145,7 +145,7 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                    with_export([&](ScanReview& review) { review.execute(c, exportStop()); });
                  },
                  [](CancelExport) { /* post() has done it */ },
-                 [&](FollowCatalogue) { changes_.catalogue = true; },
+                 [&](ApplyCatalogueChanges) { changes_.catalogue = true; },
                  [&](const SetParams& c) {
                    changes_.params = true;
                    params_ = c.params;
@@ -197,7 +197,7 @@ bool ScanWorker::isRefinementSkipped() {
 bool ScanWorker::runScan(const ScanRequest& request) {
   enter(ScanState::starting);
   Result<std::unique_ptr<ScanRun>> run = guarded("preparing the scan", [&] {
-    return ScanRun::open(request, listener_, snapshots_, [this] { post(FollowCatalogue{}); });
+    return ScanRun::open(request, listener_, snapshots_, [this] { post(ApplyCatalogueChanges{}); });
   });
   if (!run) {
     failWith(run.error());
@@ -269,7 +269,7 @@ Result<void> ScanWorker::awaitTurn(ScanRun& run) {
 
 /// Shows the changes by commands to the frame at which a scan is paused.
 Result<void> ScanWorker::showPaused(ScanRun& run) {
-  const bool is_changed = changes_.catalogue && run.followCatalogue();
+  const bool is_changed = changes_.catalogue && run.applyCatalogueChanges();
   if (!run.hasFrames()) return {};
   if (changes_.params) SCANTROVE_TRY(run.segmentAgain());
   if (!is_changed && !changes_.params && !changes_.regions) return {};

@@ -92,7 +92,7 @@ void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
   if (has_pictures_) waiting_.add(bricks);
 }
 
-void SnapshotBuilder::beginAnew(MappingPipeline& given_up) {
+void SnapshotBuilder::restart(MappingPipeline& given_up) {
   addBricks(given_up.readout().allBricks());
   trail_.clear();
 }
@@ -162,28 +162,28 @@ void SnapshotBuilder::addRegions(MappingPipeline& pipeline, ScanSnapshot& snapsh
   if (frame_.color_camera && !result_.view.vertices_world.empty()) {
     snapshot.color_places = locateInColor(frame_.color_camera, result_.view).places;
   }
-  struct Whole {
+  struct RegionTotal {
     std::int64_t voxels = 0;
     ViewCoverage seen_from;
   };
-  std::map<RegionId, Whole> regions;
+  std::map<RegionId, RegionTotal> regions;
   const std::vector<RegionId>& region_of = pipeline.labels().table().regions();
   const std::vector<cl_int>& of_fragment = pipeline.labels().voxelsOfFragments();
   for (std::size_t fragment = 1; fragment < std::min(region_of.size(), of_fragment.size()); ++fragment) {
     if (!region_of[fragment] || of_fragment[fragment] <= 0) continue;
-    Whole& whole = regions[region_of[fragment]];
-    whole.voxels += of_fragment[fragment];
-    whole.seen_from.add(pipeline.labels().table().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
+    RegionTotal& total = regions[region_of[fragment]];
+    total.voxels += of_fragment[fragment];
+    total.seen_from.add(pipeline.labels().table().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
   }
   const std::map<RegionId, RegionLabel> labels =
       labels_.of_regions ? labels_.of_regions() : std::map<RegionId, RegionLabel>();
   auto infos = std::make_shared<RegionInfos>();
   infos->reserve(regions.size());
-  for (const auto& [region, whole] : regions) {
+  for (const auto& [region, total] : regions) {
     const auto found = labels.find(region);
     const RegionLabel label = found == labels.end() ? RegionLabel{} : found->second;
-    infos->push_back({region, whole.voxels, pipeline.labels().editor().notes().of(region), label.object,
-                      whole.seen_from, label});
+    infos->push_back({region, total.voxels, pipeline.labels().editor().notes().of(region), label.object,
+                      total.seen_from, label});
   }
   snapshot.region_infos = std::move(infos);
   auto operations = std::make_shared<std::vector<DoneOperation>>();

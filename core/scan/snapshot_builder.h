@@ -43,7 +43,7 @@ class SnapshotBuilder {
   void addBricks(std::span<const Eigen::Vector3i> bricks);
 
   /// Another map replaces this one: its bricks are shown instead.
-  void beginAnew(MappingPipeline& given_up);
+  void restart(MappingPipeline& given_up);
 
   /// From now on snapshots contain only numbers: no images, regions or bricks.
   void omitPictures() { has_pictures_ = false; }

@@ -156,10 +156,10 @@ Result<bool> CatalogueEdit::revert(RegionId region, const std::string& name) {
                                   [&](const StoredNaming& one) { return one.naming.name == name; });
   if (found == namings.rend()) return false;
   StoredNaming newest = *found;
-  bool is_as_said = true;
-  if (!name.empty()) SCANTROVE_TRY(moveInto(is_as_said, database_.revertNaming(newest.naming)));
+  bool is_reverted = true;
+  if (!name.empty()) SCANTROVE_TRY(moveInto(is_reverted, database_.revertNaming(newest.naming)));
   ObjectId object = newest.earlier;
-  if (newest.made && is_as_said) {
+  if (newest.made && is_reverted) {
     const Result<bool> is_removed = database_.withdraw(newest.made);
     if (!is_removed) return fail(is_removed.error());
     if (*is_removed) outcome_.metadata[removedObjectKeyOf(region)] = std::to_string(newest.made.value);
@@ -167,12 +167,12 @@ Result<bool> CatalogueEdit::revert(RegionId region, const std::string& name) {
   } else if (!object && !newest.made) {
     object = newest.naming.object;
   }
-  if (!is_as_said)
+  if (!is_reverted)
     refuse("The catalogue keeps what it calls the object: others have changed it since.",
            "'scantrove objects' shows and changes it.");
   namings.erase(std::next(found).base());
   keep(namingsKeyOf(region), namings);
-  newest.is_overruled = !is_as_said;
+  newest.is_overruled = !is_reverted;
   if (!name.empty()) {
     std::vector<StoredNaming> undone = kept(undoneNamingsKeyOf(region));
     undone.push_back(newest);
@@ -187,7 +187,7 @@ Result<std::optional<StoredNaming>> CatalogueEdit::nameObjectOf(RegionId region,
   kept.earlier = presentObjectOf(region);
   const Result<CatalogueModel> catalogue = database_.model();
   if (!catalogue) return fail(catalogue.error());
-  if (kept.earlier && !isAnotherThing(*catalogue, kept.earlier, name, namesOfOthers(region, kept.earlier))) {
+  if (kept.earlier && !isAnotherObject(*catalogue, kept.earlier, name, namesOfOthers(region, kept.earlier))) {
     SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.earlier, name)));
     return kept;
   }
@@ -199,7 +199,7 @@ Result<std::optional<StoredNaming>> CatalogueEdit::nameObjectOf(RegionId region,
 
 Result<ObjectId> CatalogueEdit::objectFor(RegionId region) {
   const std::string key = removedObjectKeyOf(region);
-  const ObjectId gone{static_cast<std::uint32_t>(parseFrameNumber(fact(key)).value_or(0))};
+  const ObjectId gone{static_cast<std::uint32_t>(parseFrameNumber(metadata(key)).value_or(0))};
   outcome_.metadata[key] = "";
   if (gone && database_.restore(std::array{gone}) && database_.mergeRoot(gone).value_or(ObjectId{}) == gone)
     return gone;
@@ -254,9 +254,9 @@ ObjectId CatalogueEdit::objectOf(RegionId region) const {
   return changed == outcome_.objects.end() ? session_.objectOf(region) : changed->second;
 }
 
-std::string CatalogueEdit::fact(const std::string& name) const {
+std::string CatalogueEdit::metadata(const std::string& name) const {
   const auto changed = outcome_.metadata.find(name);
-  return changed == outcome_.metadata.end() ? session_.fact(name) : changed->second;
+  return changed == outcome_.metadata.end() ? session_.metadata(name) : changed->second;
 }
 
 }  // namespace scantrove

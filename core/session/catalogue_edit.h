@@ -56,9 +56,9 @@ class CatalogueEdit {
   // The session's data after this edit.
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
   void setObject(RegionId region, ObjectId object) { outcome_.objects[region] = object; }
-  [[nodiscard]] std::string fact(const std::string& name) const;
+  [[nodiscard]] std::string metadata(const std::string& name) const;
   [[nodiscard]] std::vector<StoredNaming> kept(const std::string& key) const {
-    return namingsFromJson(fact(key));
+    return namingsFromJson(metadata(key));
   }
   void keep(const std::string& key, const std::vector<StoredNaming>& namings) {
     outcome_.metadata[key] = namingsToJson(namings);

@@ -17,9 +17,9 @@ constexpr std::array<std::string_view, 6> kKeysWithNumbers{
 /// The metadata key for the start of a session that an older version wrote.
 constexpr const char* kBegunKey = "begun";
 
-bool hasNumbers(const std::string& fact) {
+bool hasNumbers(const std::string& name) {
   return std::ranges::any_of(kKeysWithNumbers,
-                             [&](std::string_view beginning) { return fact.starts_with(beginning); });
+                             [&](std::string_view beginning) { return name.starts_with(beginning); });
 }
 
 std::string setAsideKeyOf(const std::string& uuid) { return "numbers of " + uuid; }

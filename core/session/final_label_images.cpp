@@ -41,9 +41,9 @@ std::filesystem::path FinalLabelImages::fileOf(int frame_index) const {
 }
 
 Result<void> FinalLabelImages::redraw(const FinalLabelRecord& own, RegionNumbers& numbers,
-                                      const FrameLabelWriter::RenderView& look, const StoreRecord& store) {
+                                      const FrameLabelWriter::RenderView& render, const StoreRecord& store) {
   numbers_ = &numbers;
-  look_ = &look;
+  render_ = &render;
   store_ = &store;
   remarks_.clear();
   obstacle_.clear();
@@ -149,7 +149,7 @@ Result<void> FinalLabelImages::draw(int frame_index, const cv::Mat& depth) {
   if (found == pending_.end() || frame == earlier_.frames.end()) return {};
   FinalLabelImage& image = *found->second;
   if (checksumOfDepth(depth) != image.depth_checksum) return {};
-  const Result<RenderedView> view = (*look_)(frame->T_world_camera);
+  const Result<RenderedView> view = (*render_)(frame->T_world_camera);
   if (!view) return fail(view.error());
   Result<std::string> bytes =
       FrameLabelWriter::drawFinal(fileOf(frame_index), *view, depth, image.meters_per_unit, *numbers_);

@@ -38,7 +38,7 @@ class FinalLabelImages {
   /// Draws the images of earlier runs and stores the record of all. `own`: images of this run. Images that
   /// cannot be drawn stay unchanged and are named in remarks(). Error: the device or the disk failed.
   [[nodiscard]] Result<void> redraw(const FinalLabelRecord& own, RegionNumbers& numbers,
-                                    const FrameLabelWriter::RenderView& look, const StoreRecord& store);
+                                    const FrameLabelWriter::RenderView& render, const StoreRecord& store);
 
   /// Of the last redraw(), for the user.
   [[nodiscard]] const std::vector<Error>& remarks() const { return remarks_; }
@@ -66,7 +66,7 @@ class FinalLabelImages {
   std::map<int, FinalLabelImage*> pending_;  // by frame index
   std::vector<Drawn> drawn_;                 // not written yet
   RegionNumbers* numbers_ = nullptr;         // only during redraw(), like the two below
-  const FrameLabelWriter::RenderView* look_ = nullptr;
+  const FrameLabelWriter::RenderView* render_ = nullptr;
   const StoreRecord* store_ = nullptr;
   std::string obstacle_;  // why frames of a recording cannot be read
   std::vector<Error> remarks_;

@@ -24,9 +24,9 @@ std::string finalLabelsToText(const FinalLabelRecord& record) {
 }
 
 FinalLabelRecord finalLabelsFrom(const SessionMetadata& metadata) {
-  const auto fact = metadata.find(kFinalLabelsKey);
-  if (fact == metadata.end()) return {};
-  const auto words = wordsFromText(fact->second);
+  const auto found = metadata.find(kFinalLabelsKey);
+  if (found == metadata.end()) return {};
+  const auto words = wordsFromText(found->second);
   if (!words) return {};
   ByteReader from(*words);
   if (from.get<std::uint32_t>() != kFinalLabelsVersion) return {};

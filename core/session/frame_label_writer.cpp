@@ -75,7 +75,7 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   return {};
 }
 
-Result<void> FrameLabelWriter::finish(const RenderView& look) {
+Result<void> FrameLabelWriter::finish(const RenderView& render) {
   close();
   std::future<Result<void>> writing;  // of the previous frame: encoded while the next one is rendered
   FirstError outcome;
@@ -88,7 +88,7 @@ Result<void> FrameLabelWriter::finish(const RenderView& look) {
     outcome.note(done);
   };
   for (Written& frame : written_) {
-    Result<RenderedView> view = look(frame.T_world_camera);
+    Result<RenderedView> view = render(frame.T_world_camera);
     wait();
     if (!view) outcome.note(fail(view.error()));
     if (!view || !written) break;

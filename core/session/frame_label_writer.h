@@ -47,9 +47,9 @@ class FrameLabelWriter {
   [[nodiscard]] Result<void> add(Frame frame);
 
   /// Waits for all frames, then writes each frame's labels from the finished map, whose regions and voxels
-  /// have changed since. `look` is called on this thread. No add() afterwards. Error: the first file that
+  /// have changed since. `render` is called on this thread. No add() afterwards. Error: the first file that
   /// could not be written.
-  [[nodiscard]] Result<void> finish(const RenderView& look);
+  [[nodiscard]] Result<void> finish(const RenderView& render);
 
   /// Waits for all frames, then removes the written images. No add() afterwards.
   void discard();

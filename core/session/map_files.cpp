@@ -71,7 +71,7 @@ Result<void> MapFiles::read(DatabaseConnection& database, std::vector<std::strin
   return {};
 }
 
-void MapFiles::beginAnew() {
+void MapFiles::restart() {
   pages_.clear();
   added_.clear();
   unflushed_.clear();
@@ -301,7 +301,7 @@ Result<void> MapFiles::writeLostAnew(DatabaseConnection& database) {
   return {};
 }
 
-void MapFiles::follow(const fs::path& folder) {
+void MapFiles::moveTo(const fs::path& folder) {
   folder_ = folder;
   files_.clear();
 }

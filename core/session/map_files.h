@@ -26,7 +26,7 @@ class MapFiles {
   /// in `damages`.
   [[nodiscard]] Result<void> read(DatabaseConnection& database, std::vector<std::string>& damages);
   /// Starts another map in new files.
-  void beginAnew();
+  void restart();
 
   /// Appends a page. It becomes visible with the next commit(); the last of several versions counts.
   [[nodiscard]] Result<void> add(DatabaseConnection& database, const SavedPage& page);
@@ -49,7 +49,7 @@ class MapFiles {
   /// Copies pages of missing files into new files. Error: the disk failed, or a file is damaged.
   [[nodiscard]] Result<void> writeLostAnew(DatabaseConnection& database);
   /// The folder was moved.
-  void follow(const std::filesystem::path& folder);
+  void moveTo(const std::filesystem::path& folder);
 
  private:
   struct PageLocation {

@@ -46,7 +46,7 @@ Result<void> OpenSession::saveMetadata() {
   return recorder_->save(*pipeline_);
 }
 
-std::string OpenSession::fact(const std::string& name) const {
+std::string OpenSession::metadata(const std::string& name) const {
   const auto found = scan_.metadata.find(name);
   return found == scan_.metadata.end() ? std::string() : found->second;
 }
@@ -57,7 +57,7 @@ Result<bool> OpenSession::useCatalogue(ObjectDatabase& database) {
   CatalogueNumbers numbers{scan_.metadata, recorder_->objects()};
   const bool is_other = turnTo(numbers, *identity);
   for (const auto& [name, value] : numbers.metadata) {
-    if (fact(name) != value) setMetadata(name, value);
+    if (metadata(name) != value) setMetadata(name, value);
   }
   recorder_->setObjects(std::move(numbers.objects));
   return is_other;
@@ -83,13 +83,13 @@ void OpenSession::readCatalogue() {
   std::set<RegionId> regions;
   for (const auto& [region, note] : pipeline_->labels().editor().notes().all()) regions.insert(region);
   for (const auto& [region, object] : recorder_->objects()) regions.insert(region);
-  const RememberedObjects remembered = rememberedFrom(fact(kObjectsKey));
+  const RememberedObjects remembered = rememberedFrom(metadata(kObjectsKey));
   for (const auto& [region, object] : remembered) regions.insert(region);
   for (const RegionId region : regions) {
     if (pipeline_->labels().table().fragmentsOf(region).empty()) continue;
     region_objects_[region] = regionObjectOf(region, remembered);
     labels_[region] = scantrove::labelOf(noteOf(region), region_objects_[region],
-                                         fact(sessionOnlyKeyOf(region)) == noteOf(region).name);
+                                         metadata(sessionOnlyKeyOf(region)) == noteOf(region).name);
   }
   shareClasses(labels_, region_objects_);
   const bool is_any = std::ranges::any_of(labels_, [](const auto& one) { return bool(one.second.object); });
@@ -106,7 +106,7 @@ RegionObject OpenSession::regionObjectOf(RegionId region, const RememberedObject
   const auto kept = remembered.find(region);
   if (!object) {
     // From another catalogue: the name is known, but no id.
-    if (kept == remembered.end() || kept->second.catalogue == fact(kCatalogueKey)) return {};
+    if (kept == remembered.end() || kept->second.catalogue == metadata(kCatalogueKey)) return {};
     RegionObject known = kept->second.object;
     known.object = {};
     return known;
@@ -129,12 +129,12 @@ void OpenSession::rememberObjects() {
     if (object && found != region_objects_.end()) now[region] = found->second;
   }
   const std::string text =
-      rememberedToText(remember(rememberedFrom(fact(kObjectsKey)), now, fact(kCatalogueKey)));
-  if (text != fact(kObjectsKey)) setMetadata(kObjectsKey, text);
+      rememberedToText(remember(rememberedFrom(metadata(kObjectsKey)), now, metadata(kCatalogueKey)));
+  if (text != metadata(kObjectsKey)) setMetadata(kObjectsKey, text);
 }
 
 std::optional<bool> OpenSession::areResultsCurrent() const {
-  const std::string results = fact(kResultsKey);
+  const std::string results = metadata(kResultsKey);
   if (results.empty() || results == kResultsBegun) return std::nullopt;
   return results == kResultsCurrent;
 }
@@ -147,7 +147,7 @@ void OpenSession::setMetadata(const std::string& name, const std::string& value)
 bool OpenSession::canBeRefined() const { return scantrove::canBeRefined(scan_.metadata); }
 
 std::vector<PendingEdit> OpenSession::pendingEdits() const {
-  return pendingEditsFromJson(fact(kPendingEditsKey));
+  return pendingEditsFromJson(metadata(kPendingEditsKey));
 }
 
 Result<void> OpenSession::completeEdit(const SessionMetadata& metadata,
@@ -184,8 +184,8 @@ void OpenSession::completePendingEdits() {
   std::error_code ignored;
   // A missing catalogue is reported when it is needed.
   if (!isCataloguePending(*this) || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
-  if (const Result<void> followed = applyToCatalogue(*this); !followed)
-    damages_.push_back("What was said last is not in the catalogue: " + followed.error().message());
+  if (const Result<void> applied = applyToCatalogue(*this); !applied)
+    damages_.push_back("What was said last is not in the catalogue: " + applied.error().message());
 }
 
 Result<std::vector<RegionSummary>> OpenSession::regions() {
@@ -264,12 +264,12 @@ void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, EditDirectio
   JoinedObjects joined = scantrove::joinObjects(outcome.events, objects);
   const std::string name = joinKeyOf(lastOperation(history(), direction == EditDirection::undone));
   if (direction == EditDirection::undone) {
-    joined = joinedFrom(fact(name));
+    joined = joinedFrom(metadata(name));
     for (const auto& [region, object] : joined.before) objects[region] = object;
     joined.state = JoinedObjects::State::to_unmerge;
     if (joined.merges.empty()) joined = {};
   }
-  if (const std::string text = joinedToText(joined); text != fact(name)) setMetadata(name, text);
+  if (const std::string text = joinedToText(joined); text != metadata(name)) setMetadata(name, text);
   recorder_->setObjects(std::move(objects));
 }
 
@@ -278,7 +278,7 @@ Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> ou
   if (!outcome) return outcome;
   joinObjects(*outcome, direction);
   if (isNaming(outcome->operation.kind))
-    setMetadata(kObjectsKey, withoutRegions(fact(kObjectsKey), outcome->operation.regions));
+    setMetadata(kObjectsKey, withoutRegions(metadata(kObjectsKey), outcome->operation.regions));
   if (areResultsCurrent()) setMetadata(kResultsKey, kResultsEdited);
   std::vector<CatalogueStep> steps;
   if (has_catalogue_ && !setup_.database.empty())

@@ -53,7 +53,7 @@ class OpenSession {
   /// Sentences about unreadable data.
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
   /// Whether the scan reached its end.
-  [[nodiscard]] bool hasEnded() const { return !fact("ended").empty(); }
+  [[nodiscard]] bool hasEnded() const { return !metadata("ended").empty(); }
   /// Whether the files beside the session (cloud, label map and images) show its current regions; none: no
   /// such files, or unknown.
   [[nodiscard]] std::optional<bool> areResultsCurrent() const;
@@ -94,7 +94,7 @@ class OpenSession {
   /// it (turnTo). Stored with the next edit. Returns whether any were set aside.
   [[nodiscard]] Result<bool> useCatalogue(ObjectDatabase& database);
   /// Metadata for this program, by name; empty: none.
-  [[nodiscard]] std::string fact(const std::string& name) const;
+  [[nodiscard]] std::string metadata(const std::string& name) const;
   void setMetadata(const std::string& name, const std::string& value);
   /// Writes metadata. Error: writing failed.
   [[nodiscard]] Result<void> saveMetadata();

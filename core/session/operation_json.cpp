@@ -103,9 +103,9 @@ std::string effectToJson(const OperationEffect& effect) {
   Json json{{"moves", Json::array()}, {"said", Json::array()}, {"notes", Json::array()}};
   for (const RegionMove& move : effect.moves)
     json["moves"].push_back({move.fragment.value, move.before.value, move.after.value});
-  for (const auto& saying : effect.constraints)
-    json["said"].push_back(
-        {saying.a.value, saying.b.value, static_cast<int>(saying.before), static_cast<int>(saying.after)});
+  for (const auto& constraint : effect.constraints)
+    json["said"].push_back({constraint.a.value, constraint.b.value, static_cast<int>(constraint.before),
+                            static_cast<int>(constraint.after)});
   for (const auto& note : effect.notes)
     json["notes"].push_back({note.region.value, noteToJson(note.before), noteToJson(note.after)});
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -118,9 +118,10 @@ std::optional<OperationEffect> effectFromJson(const std::string& text) {
     for (const Json& move : listAt(json, "moves"))
       effect.moves.push_back(
           {FragmentId{number(move.at(0))}, RegionId{number(move.at(1))}, RegionId{number(move.at(2))}});
-    for (const Json& saying : listAt(json, "said"))
-      effect.constraints.push_back({FragmentId{number(saying.at(0))}, FragmentId{number(saying.at(1))},
-                                    constraintFrom(saying.at(2)), constraintFrom(saying.at(3))});
+    for (const Json& constraint : listAt(json, "said"))
+      effect.constraints.push_back({FragmentId{number(constraint.at(0))},
+                                    FragmentId{number(constraint.at(1))}, constraintFrom(constraint.at(2)),
+                                    constraintFrom(constraint.at(3))});
     for (const Json& note : listAt(json, "notes"))
       effect.notes.push_back({RegionId{number(note.at(0))}, noteFrom(note.at(1)), noteFrom(note.at(2))});
     return effect;

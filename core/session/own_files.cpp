@@ -17,7 +17,7 @@ constexpr const char* kTable = "files";
 constexpr const char* kNew = "new";
 constexpr const char* kStored = "kept";
 constexpr const char* kOld = "old";
-constexpr std::size_t kFewestDigits = 6;
+constexpr std::size_t kMinDigits = 6;
 constexpr std::string_view kDigits = "0123456789";
 
 Result<void> enter(DatabaseConnection& database, const std::string& name, const char* state) {
@@ -48,7 +48,7 @@ Result<std::vector<std::string>> namesIn(DatabaseConnection& database, const cha
 template <std::size_t N>
 bool isNumbered(std::string_view name, const std::array<std::string_view, N>& endings) {
   const std::size_t digits = std::min(name.find_first_not_of(kDigits), name.size());
-  if (digits < kFewestDigits) return false;
+  if (digits < kMinDigits) return false;
   name.remove_prefix(digits);
   if (name.starts_with('-')) {
     name.remove_prefix(1);

@@ -110,8 +110,9 @@ bool isPlausible(const OperationEffect& effect) {
                                       isRegion(move.after);
                              }) &&
          std::ranges::all_of(effect.constraints,
-                             [](const auto& saying) {
-                               return isFragment(saying.a) && isFragment(saying.b) && saying.a != saying.b;
+                             [](const auto& constraint) {
+                               return isFragment(constraint.a) && isFragment(constraint.b) &&
+                                      constraint.a != constraint.b;
                              }) &&
          std::ranges::all_of(effect.notes, [](const auto& note) { return isRegion(note.region); });
 }

@@ -111,7 +111,7 @@ void SessionDatabase::disconnect() {
   }
 }
 
-Result<void> SessionDatabase::follow(const fs::path& folder) {
+Result<void> SessionDatabase::moveTo(const fs::path& folder) {
   disconnect();
   file_ = folder / file_.filename();
   return connect();

@@ -23,14 +23,14 @@ class SessionDatabase {
   [[nodiscard]] DatabaseConnection& operator*() const { return *connection_; }
   [[nodiscard]] DatabaseConnection* operator->() const { return connection_.get(); }
 
-  /// False: a failure of follow() or writeAnew() left it closed.
+  /// False: a failure of moveTo() or writeAnew() left it closed.
   [[nodiscard]] bool isOpen() const { return connection_ != nullptr && main_; }
   /// Whether the file and SQLite's files beside it still have their names.
   [[nodiscard]] bool isStillThere() const;
   /// The new folder if the file was moved with its folder; else empty.
   [[nodiscard]] std::filesystem::path folderItWasMovedWith() const;
   /// Opens the same file in its new folder. Error: it cannot be opened.
-  [[nodiscard]] Result<void> follow(const std::filesystem::path& folder);
+  [[nodiscard]] Result<void> moveTo(const std::filesystem::path& folder);
   /// Writes the connection's whole content to a new file with the old name, or another if the name is
   /// taken, and continues there. Error: writing failed.
   [[nodiscard]] Result<void> writeAnew();

@@ -150,7 +150,7 @@ JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectI
 
 bool areJoinsPending(const OpenSession& session) {
   return std::ranges::any_of(session.history().entries(), [&](const OperationLog::Entry& entry) {
-    return joinedFrom(session.fact(joinKeyOf(entry.number))).state != JoinedObjects::State::done;
+    return joinedFrom(session.metadata(joinKeyOf(entry.number))).state != JoinedObjects::State::done;
   });
 }
 
@@ -158,7 +158,7 @@ Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database) 
   FirstError refusals;
   for (const OperationLog::Entry& entry : session.history().entries()) {
     const std::string key = joinKeyOf(entry.number);
-    const JoinedObjects joined = joinedFrom(session.fact(key));
+    const JoinedObjects joined = joinedFrom(session.metadata(key));
     if (joined.state == JoinedObjects::State::done) continue;
     // Sessions of earlier versions stored no token.
     const std::string token = (joined.token.empty() ? newToken() : joined.token) +

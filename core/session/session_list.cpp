@@ -120,7 +120,7 @@ Result<void> readPicture(DatabaseConnection& database, SessionSummary& summary) 
 
 /// Replaces the names of regions by the catalogue's names of their objects at the last save (metadata
 /// `objects`); deleted objects have none.
-void followCatalogue(const std::string& objects, std::map<std::uint32_t, std::string>& names) {
+void readCurrentNames(const std::string& objects, std::map<std::uint32_t, std::string>& names) {
   const auto json = nlohmann::json::parse(objects, nullptr, false);
   if (!json.is_object()) return;
   for (auto& [region, name] : names) {
@@ -143,7 +143,7 @@ Result<void> readNames(DatabaseConnection& database, SessionSummary& summary) {
   while (rows->next()) names[rows->value(0).toUInt()] = rows->value(1).toString().toStdString();
   std::string objects;
   SCANTROVE_TRY(readText(database, "SELECT value FROM facts WHERE name = 'objects'", objects));
-  followCatalogue(objects, names);
+  readCurrentNames(objects, names);
   std::set<std::string> distinct;
   for (const auto& [region, name] : names) distinct.insert(name);
   distinct.erase("");

@@ -44,7 +44,7 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   }
   auto recorder = std::make_unique<SessionRecorder>(std::move(writer), std::move(setup));
   // The restored state is on disk.
-  static_cast<void>(pipeline.labels().table().takeChanged(RegionTable::Follower::session));
+  static_cast<void>(pipeline.labels().table().takeChanged(RegionTable::Reader::session));
   recorder->voxels_.resize(pipeline.labels().table().regions().size(), 0);
   for (const SavedFragment& one : scan.fragments) recorder->voxels_[one.fragment.value] = one.voxels;
   for (std::uint32_t fragment = 0; fragment < pipeline.labels().table().regions().size(); ++fragment)
@@ -89,7 +89,7 @@ void SessionRecorder::beginRecording(const std::string& source, const ContinuedS
   recordings_.push_back({setup_.frames, source, shift.index, shift.time_s});
 }
 
-void SessionRecorder::beginAnew() {
+void SessionRecorder::restart() {
   for (SavedFrame frame : std::exchange(first_usable_, {})) {
     frame.state = TrackingState::lost;
     frame.T_world_camera.setIdentity();
@@ -158,7 +158,7 @@ void SessionRecorder::collectRegions(MappingPipeline& pipeline, const ObjectColl
   RegionTable& table = pipeline.labels().table();
   const std::vector<cl_int>& voxels = pipeline.labels().voxelsOfFragments();
   std::vector<bool> is_changed(table.regions().size(), false);
-  for (const FragmentId fragment : table.takeChanged(RegionTable::Follower::session))
+  for (const FragmentId fragment : table.takeChanged(RegionTable::Reader::session))
     is_changed[fragment.value] = true;
   voxels_.resize(table.regions().size(), 0);
   seen_from_.resize(table.regions().size());

@@ -27,7 +27,7 @@ class SessionRecorder {
   /// Maximum loss of a killed program, besides the delay of the disk.
   static constexpr std::chrono::milliseconds kBetweenSaves{4000};
 
-  /// Frames of a young map, which beginAnew() may drop, including those integrated late.
+  /// Frames of a young map, which restart() may drop, including those integrated late.
   static constexpr std::size_t kFirstFrames = 64;
 
   struct StoredFrame {
@@ -52,7 +52,7 @@ class SessionRecorder {
   /// Call after each frame, usable or not.
   void addFrame(const RgbdFrame& frame, const FrameResult& result);
   /// The map is replaced by a new one before any edit: its frames are lost.
-  void beginAnew();
+  void restart();
   /// Hands over changes, or a part of them, when due. Device failures: cl::Error.
   void saveWhenDue(MappingPipeline& pipeline, const ObjectCollector& collector);
   /// Hands over changes and waits until they are on disk. Without `collector` objects stay the same. Error:
@@ -108,7 +108,7 @@ class SessionRecorder {
   std::unique_ptr<SessionWriter> writer_;
   Setup setup_;
   std::map<int, int> number_of_frame_;      // by index of the source, for frames that may be integrated late
-  std::vector<SavedFrame> first_usable_;    // those that beginAnew() would drop
+  std::vector<SavedFrame> first_usable_;    // those that restart() would drop
   std::vector<SavedFrame> frames_;          // not handed over yet
   std::vector<SavedRecording> recordings_;  // not handed over yet
   std::vector<int> voxels_;                 // of each fragment, as handed over

@@ -101,7 +101,7 @@ void restoreKeyFrames(MappingPipeline& pipeline, SessionWriter& session, const S
   std::map<int, const SavedKeyFrame*> images;
   for (const SavedKeyFrame& key : scan.key_frames) images[key.frame] = &key;
   for (const SavedFrame& frame : scan.frames) {
-    if (!frame.isUsable() || !pipeline.camera().recallPose(frame.T_world_camera)) continue;
+    if (!frame.isUsable() || !pipeline.camera().replayPose(frame.T_world_camera)) continue;
     const auto key = images.find(frame.number);
     if (key == images.end()) continue;
     const Result<RgbdFrame> seen = readKeyFrame(session.folder(), *key->second, frame);

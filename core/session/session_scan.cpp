@@ -98,7 +98,7 @@ Result<cv::Mat> SessionScan::depth(int index) {
   return frame->depth;
 }
 
-Result<ViewOfMap> SessionScan::look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
+Result<ViewOfMap> SessionScan::renderView(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
   const auto seen = session_.pipeline().readout().renderView(T_world_camera, K);
   if (!seen) return fail(seen.error());
   ViewOfMap view{cv::Mat(K.height, K.width, CV_32SC1), seen->depth().z_m};

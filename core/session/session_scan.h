@@ -19,7 +19,8 @@ class SessionScan final : public LabeledScan {
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override;
   [[nodiscard]] Result<cv::Mat> color(int index) override;
   [[nodiscard]] Result<cv::Mat> depth(int index) override;
-  [[nodiscard]] Result<ViewOfMap> look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) override;
+  [[nodiscard]] Result<ViewOfMap> renderView(const Intrinsics& K,
+                                             const Eigen::Isometry3d& T_world_camera) override;
   [[nodiscard]] Result<LabeledMesh> mesh() override;
   [[nodiscard]] Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) override;
   [[nodiscard]] Result<Trajectory> trajectory() override;

@@ -50,15 +50,15 @@ SessionMetadata metadataOf(const SessionSetup& setup) {
 }
 
 Result<SessionSetup> setupFrom(const SessionMetadata& metadata) {
-  const auto fact = [&](const char* name) {
+  const auto valueOf = [&](const char* name) {
     const auto found = metadata.find(name);
     return found == metadata.end() ? std::string() : found->second;
   };
   SessionSetup setup;
-  setup.source = fact("source");
-  setup.database = fact("database");
+  setup.source = valueOf("source");
+  setup.database = valueOf("database");
   try {
-    const nlohmann::json camera = nlohmann::json::parse(fact("camera"));
+    const nlohmann::json camera = nlohmann::json::parse(valueOf("camera"));
     const nlohmann::json& K = camera.at("K");
     setup.K = {K.at(0).get<float>(),
                K.at(1).get<float>(),
@@ -74,9 +74,9 @@ Result<SessionSetup> setupFrom(const SessionMetadata& metadata) {
     return fail("The session is damaged: no camera can have the intrinsics and the image size that it names.",
                 "Restore session.sqlite from a copy if there is one.");
   }
-  if (const auto origin = parseNumbers(fact(kOriginKey)); origin && origin->size() == 3)
+  if (const auto origin = parseNumbers(valueOf(kOriginKey)); origin && origin->size() == 3)
     setup.origin_m = Eigen::Vector3d(origin->data());
-  std::istringstream lines(fact("params"));
+  std::istringstream lines(valueOf("params"));
   for (std::string line; std::getline(lines, line);) {
     // Parameters unknown to this program are ignored.
     std::string setting = line;

@@ -72,7 +72,7 @@ Result<std::unique_ptr<SessionStore>> SessionStore::openLocked(const fs::path& f
 Result<void> SessionStore::beginReplacing() {
   SCANTROVE_TRY(checkIsUnlabeled(**database_, folder_));
   replaces_ = true;
-  map_.beginAnew();
+  map_.restart();
   lost_before_ = 0;
   damages_.clear();
   return {};
@@ -117,7 +117,7 @@ Result<void> SessionStore::deleteMapRows() {
 }
 
 Result<void> SessionStore::forgetMap() {
-  map_.beginAnew();
+  map_.restart();
   if (replaces_) return {};
   SCANTROVE_TRY(inTransaction(**database_, [&] { return deleteMapRows(); }));
   lost_before_ = 0;
@@ -213,8 +213,8 @@ Result<std::optional<Error>> SessionStore::keepInPlace() {
   if (!moved_to.empty()) {
     const std::string before = folder_.string();
     folder_ = moved_to;
-    map_.follow(folder_);
-    SCANTROVE_TRY(database_->follow(folder_));
+    map_.moveTo(folder_);
+    SCANTROVE_TRY(database_->moveTo(folder_));
     lock_file_ = HeldFile::hold(folder_ / kLock);
     return std::optional<Error>({"The session " + before + " was moved to " + folder_.string() +
                                      " while it was in use; it is kept there.",

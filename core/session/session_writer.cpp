@@ -58,7 +58,7 @@ void SessionWriter::run(Way way) {
     lock.lock();
     if (outcome) {
       failure_.reset();
-      is_failure_said_ = false;
+      is_failure_reported_ = false;
       jobs_.pop_front();
     } else {
       failure_ = outcome.error();
@@ -74,7 +74,7 @@ Result<void> SessionWriter::doJob(const Job& job, SessionStore& store) {
     const std::scoped_lock lock(mutex_);
     folder_ = store.folder();
     if (!disturbance_) disturbance_ = **disturbed;
-    unsaid_disturbances_.push_back(std::move(**disturbed));
+    unreported_disturbances_.push_back(std::move(**disturbed));
   }
   return job(store);
 }
@@ -113,12 +113,12 @@ std::filesystem::path SessionWriter::folder() const {
 
 std::optional<Error> SessionWriter::takeFailure() {
   const std::scoped_lock lock(mutex_);
-  if (!unsaid_disturbances_.empty()) {
-    const Error error = std::move(unsaid_disturbances_.front());
-    unsaid_disturbances_.pop_front();
+  if (!unreported_disturbances_.empty()) {
+    const Error error = std::move(unreported_disturbances_.front());
+    unreported_disturbances_.pop_front();
     return error;
   }
-  if (!failure_ || std::exchange(is_failure_said_, true)) return std::nullopt;
+  if (!failure_ || std::exchange(is_failure_reported_, true)) return std::nullopt;
   return failure_;
 }
 

@@ -58,9 +58,9 @@ class SessionWriter {
   std::deque<Job> jobs_;  // the first stays while it runs or fails
   std::optional<Result<void>> opened_;
   std::optional<Error> failure_;  // of the first job, while it fails
-  bool is_failure_said_ = false;
+  bool is_failure_reported_ = false;
   std::optional<Error> disturbance_;
-  std::deque<Error> unsaid_disturbances_;
+  std::deque<Error> unreported_disturbances_;
   bool try_again_ = false;
   bool is_closed_ = false;
   std::thread thread_;  // last: uses all members above

@@ -32,7 +32,7 @@ struct ViewSummary {
   std::ptrdiff_t things = 0;
 };
 
-ViewSummary lookAt(const SyntheticScene& scene, const Eigen::Isometry3d& T_world_camera) {
+ViewSummary summarize(const SyntheticScene& scene, const Eigen::Isometry3d& T_world_camera) {
   View view;
   view.T_world_view = T_world_camera;
   view.width = 48;
@@ -107,7 +107,7 @@ bool passesNear(const Layout& layout, const CameraPath& path, double seconds) {
   double near = 0;
   int views = 0;
   for (double t = 0; t < seconds; t += 0.25) {
-    const ViewSummary seen = lookAt(layout.scene, trajectory.pose(t));
+    const ViewSummary seen = summarize(layout.scene, trajectory.pose(t));
     if (seen.readings < 0.6 || seen.too_near > 0.5 || seen.spread < 0.012) return false;
     near += seen.near;
     ++views;
@@ -122,7 +122,7 @@ int countBadViews(const Layout& layout, const CameraPath& path, double seconds, 
     if (!isFree(layout, path(t).eye, kClearance_m)) ++bad;
   }
   for (double t = 0; t < seconds && bad < enough; t += 0.5) {
-    if (!showsEnough(lookAt(layout.scene, trajectory.pose(t)))) ++bad;
+    if (!showsEnough(summarize(layout.scene, trajectory.pose(t)))) ++bad;
   }
   return bad;
 }

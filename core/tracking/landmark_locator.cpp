@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/tracking/followed_corners.h"
+#include "core/tracking/tracked_corners.h"
 
 namespace scantrove {
 namespace {
@@ -12,8 +12,8 @@ constexpr std::size_t kKeyFramesToTry = 3;
 /// A key frame with this many matched landmarks is as good as the last frame.
 constexpr std::size_t kManyLandmarks = 100;
 /// Corners needed to follow a camera from one frame to the next.
-constexpr std::size_t kFewestCorners = 10;
-constexpr int kFewestCells = 4;  // of 48: corners in one spot do not determine a rotation
+constexpr std::size_t kMinCorners = 10;
+constexpr int kMinCells = 4;  // of 48: corners in one spot do not determine a rotation
 
 /// Enough landmarks for a pose that the map may confirm.
 bool isWellFounded(const LandmarkPose& pose) {
@@ -39,13 +39,13 @@ void LandmarkLocator::beginCorners(Clues& clues, const SurfaceMaps& model, const
       std::async(std::launch::async, [last, now, guess, T_model = model.T_world_camera,
                                       vertices = model.vertices_world.read(compute_.queue())] {
         const SurfaceInView surface(last.K, T_model * last.T_color_depth.inverse(), vertices);
-        return followCorners(last, surface, now, guess * now.T_color_depth.inverse());
+        return trackCorners(last, surface, now, guess * now.T_color_depth.inverse());
       });
 }
 
 const SeenLandmarks* LandmarkLocator::enoughCorners(Clues& clues) {
   const SeenLandmarks& seen = cornersOf(clues);
-  const bool is_enough = seen.pixels.size() >= kFewestCorners && seen.cells() >= kFewestCells;
+  const bool is_enough = seen.pixels.size() >= kMinCorners && seen.cells() >= kMinCells;
   return is_enough ? &seen : nullptr;
 }
 

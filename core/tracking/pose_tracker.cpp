@@ -14,7 +14,7 @@ namespace {
 /// Share of pixels with depth that the first frame of a map needs.
 constexpr double kMinDepthToBegin = 0.05;
 /// Share of inliers above which an uncertain pose is a guess for the next frame.
-constexpr double kWorthFollowing = 0.4;
+constexpr double kWorthTracking = 0.4;
 /// Level of the pyramid that is stored of a seen surface.
 constexpr std::size_t kStoredLevel = 1;
 /// Limits for uncertain frames: how many are kept (the newest), how many are tried again with each usable
@@ -116,14 +116,14 @@ PoseEstimate PoseTracker::recover(Search& search) {
   const PoseEstimate& by_surface = search.attempt.by_surface;
   if (!is_lost_ && !clues.corners && !clues.coming_corners.valid())
     locator_.beginCorners(clues, search.model, by_surface.T_world_camera);
-  const auto by_landmarks = followLandmarks(search);
+  const auto by_landmarks = trackLandmarks(search);
   if (by_landmarks && !(is_restored_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
     PoseEstimate found = *by_landmarks;
     if (is_lost_) found.state = TrackingState::relocalized;
     return found;
   }
   if (!is_lost_) {
-    if (const auto found = followFlow(search)) return *found;
+    if (const auto found = trackFlow(search)) return *found;
   }
   if (by_surface.usable()) return by_surface;
   if (by_surface.free_directions == 0) {
@@ -144,7 +144,7 @@ void PoseTracker::seekLandmarks(Search& search) {
   locator_.seekLandmarks(search.attempt.clues, search.model, about, *last_, is_lost_);
 }
 
-std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search) {
+std::optional<PoseEstimate> PoseTracker::trackLandmarks(Search& search) {
   const LandmarkLocator::Clues& clues = search.attempt.clues;
   if (!clues.are_landmarks_sought) seekLandmarks(search);
   if (!clues.landmarks) return std::nullopt;
@@ -153,7 +153,7 @@ std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search) {
   return pose->usable() ? pose : std::nullopt;
 }
 
-std::optional<PoseEstimate> PoseTracker::followFlow(Search& search) {
+std::optional<PoseEstimate> PoseTracker::trackFlow(Search& search) {
   const SeenLandmarks* corners = LandmarkLocator::enoughCorners(search.attempt.clues);
   if (corners == nullptr) return std::nullopt;
   const Eigen::Isometry3d& guess = search.attempt.by_surface.T_world_camera;
@@ -210,7 +210,7 @@ void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
   is_lost_ = !pose.usable();
   is_restored_ = false;
   last_uncertain_.reset();
-  if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing)
+  if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthTracking)
     last_uncertain_ = pose.T_world_camera;
   if (!last_uncertain_) return;
   uncertain_.push_back({frame, pose.T_world_camera, kChances});
@@ -238,7 +238,7 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
 bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
   locator_.setLastFrame(frame, depth.K);
   const Eigen::Isometry3d& T_world_camera = model.T_world_camera;
-  const bool is_new_key_frame = passBy(T_world_camera);
+  const bool is_new_key_frame = replayPose(T_world_camera);
   if (seen_.isDue(T_world_camera)) {
     const DepthPyramid::Level& level = depth.levels[std::min(kStoredLevel, depth.levels.size() - 1)];
     seen_.add(T_world_camera, StoredSurface(level.K, level.vertices_camera.read(compute_.queue())));
@@ -251,7 +251,7 @@ bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
   return locator_.addKeyFrame(model, is_new_key_frame);
 }
 
-bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
+bool PoseTracker::replayPose(const Eigen::Isometry3d& T_world_camera) {
   const KeyFrames& key_frames = locator_.keyFrames();
   seen_.markLeftExceptNear(T_world_camera);
   return key_frames.isDue(T_world_camera);
@@ -264,7 +264,7 @@ std::optional<PoseTracker::Memory> PoseTracker::memory() {
 }
 
 void PoseTracker::restoreState(Memory memory) {
-  resumeAt(memory.last);
+  relocalizeNear(memory.last);
   before_last_ = memory.before_last;
   is_lost_ = memory.is_lost;
   is_restored_ = true;
@@ -273,7 +273,7 @@ void PoseTracker::restoreState(Memory memory) {
   seen_again_ = nullptr;
 }
 
-void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
+void PoseTracker::relocalizeNear(const Eigen::Isometry3d& T_world_camera) {
   // The last usable frame was seen from elsewhere, so it does not show the surface in view there.
   locator_.forgetLastFrame();
   last_ = T_world_camera;

@@ -77,11 +77,11 @@ class PoseTracker {
   /// once.
   void restoreState(Memory memory);
 
-  /// Continues on an earlier map, with a guess at the pose. passBy() and addKeyFrame() restore the earlier
-  /// key frames, in the order of their frames.
-  void resumeAt(const Eigen::Isometry3d& T_world_camera);
+  /// Continues on an earlier map, with a guess at the pose. replayPose() and addKeyFrame() restore the
+  /// earlier key frames, in the order of their frames.
+  void relocalizeNear(const Eigen::Isometry3d& T_world_camera);
   /// Passes an earlier pose. True: its frame was a tracking key frame and must be given to addKeyFrame().
-  [[nodiscard]] bool passBy(const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] bool replayPose(const Eigen::Isometry3d& T_world_camera);
 
   /// A frame whose pose was not trusted at first.
   struct UncertainFrame {
@@ -113,9 +113,9 @@ class PoseTracker {
   [[nodiscard]] PoseEstimate recover(Search& search);
   void seekLandmarks(Search& search);
   /// Pose by the corners of the last image alone, from the pose by the surface.
-  [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search);
+  [[nodiscard]] std::optional<PoseEstimate> trackFlow(Search& search);
   /// Pose by features of the nearest key frame or the last image.
-  [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search);
+  [[nodiscard]] std::optional<PoseEstimate> trackLandmarks(Search& search);
   [[nodiscard]] std::optional<PoseEstimate> relocalize(Search& search);
   /// `guess` sees the surface of `model`.
   [[nodiscard]] bool isInView(const SurfaceMaps& model, const Eigen::Isometry3d& guess) const;

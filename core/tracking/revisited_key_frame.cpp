@@ -15,7 +15,7 @@ constexpr std::size_t kNewest = 8;
 constexpr std::size_t kKeyFramesToAsk = 3;
 /// Landmarks that must match, and the least number of 48 cells with them: a poster of the same kind covers
 /// few.
-constexpr std::size_t kFewestSeen = 50;
+constexpr std::size_t kMinSeen = 50;
 constexpr int kCellsSeen = 6;
 /// Part of the path since then. A larger drift is implausible: the match is a similar door or poster
 /// elsewhere.
@@ -40,7 +40,7 @@ std::optional<RevisitedKeyFrame> driftOf(const SeenLandmarks& seen, const Surfac
     for (std::size_t axis = 0; axis < along.size(); ++axis)
       along[axis].push_back(moved(static_cast<Eigen::Index>(axis)));
   }
-  if (along[0].size() < kFewestSeen) return std::nullopt;
+  if (along[0].size() < kMinSeen) return std::nullopt;
   const int landmarks = static_cast<int>(along[0].size());
   const Eigen::Vector3d drift(medianOf(along[0]), medianOf(along[1]), medianOf(along[2]));
   return RevisitedKeyFrame{drift.norm(), landmarks};
@@ -53,7 +53,7 @@ std::optional<RevisitedKeyFrame> returnedTo(const KeyFrames& places, const cv::M
   if (places.size() <= kNewest || view.pixels.empty()) return std::nullopt;
   for (const KeyFrame* place : places.alike(thumbnail, view, kKeyFramesToAsk, kNewest)) {
     const std::optional<LandmarkPose> found = locate(view, place->landmarks);
-    if (!found || found->seen.pixels.size() < kFewestSeen || found->seen.cells() < kCellsSeen) continue;
+    if (!found || found->seen.pixels.size() < kMinSeen || found->seen.cells() < kCellsSeen) continue;
     const std::optional<RevisitedKeyFrame> returned = driftOf(found->seen, surface);
     const double most_m = std::max(kMinToJudge_m, kMaxDriftPerMeter * places.distanceSince(*place));
     if (returned && returned->drift_m <= most_m) return returned;

@@ -26,7 +26,7 @@ CameraMemory someMemory(bool with_tracker) {
     memory.tracker->places = {somePlace()};
     memory.tracker->surfaces = {
         {Eigen::Isometry3d::Identity(), StoredSurface(K, cv::Mat(3, 4, CV_16UC1, cv::Scalar(900))), false}};
-    memory.followed_normals_world.assign(12, {0, 0, 1, 1});
+    memory.reference_normals_world.assign(12, {0, 0, 1, 1});
   }
   memory.free_space.witnesses.push_back(
       {K, Eigen::Isometry3d::Identity(), cv::Mat(3, 4, CV_32FC1, cv::Scalar(3))});

@@ -19,7 +19,7 @@ struct ScanEnding {
   std::vector<std::string> recognized;  ///< names
   std::vector<ObjectId> merged;         ///< objects that became part of others
   std::vector<RefinementStepped> refinement;
-  std::vector<ObjectId> left;  ///< that turned out not to be what their views show
+  std::vector<ObjectId> removed;  ///< that turned out not to be what their views show
 };
 
 /// Runs one scan to its end through the worker that window and command line use.
@@ -33,7 +33,7 @@ inline ScanEnding runScan(ScanRequest request) {
     if (const auto* added = std::get_if<ObjectAdded>(&event)) ending.added.push_back(added->name);
     if (const auto* known = std::get_if<ObjectRecognized>(&event)) ending.recognized.push_back(known->name);
     if (const auto* step = std::get_if<RefinementStepped>(&event)) ending.refinement.push_back(*step);
-    if (const auto* left = std::get_if<ObjectLeft>(&event)) ending.left.push_back(left->object);
+    if (const auto* removed = std::get_if<ObjectRemoved>(&event)) ending.removed.push_back(removed->object);
     if (const auto* merged = std::get_if<ObjectsMerged>(&event))
       ending.merged.insert(ending.merged.end(), merged->from.begin(), merged->from.end());
   });

@@ -31,14 +31,14 @@ class TrackingRig {
   PoseEstimate show(const RgbdFrame& frame) {
     const DepthPyramid& depth = preprocessor_->process(frame);
     working_K_ = depth.levels.front().K;
-    const PoseEstimate pose = timer_.time("track", [&] { return tracker_->track(frame, depth, followed_); });
+    const PoseEstimate pose = timer_.time("track", [&] { return tracker_->track(frame, depth, reference_); });
     timer_.endFrame();
     if (!pose.usable()) return pose;
     map_->integrate(motion_->still(depth, pose.T_world_camera, KnownSurface(readView(compute_, model_))),
                     pose.T_world_camera);
     map_->raycast(pose.T_world_camera, working_K_, model_);
     motion_->apply(depth, map_->bricks(), model_);
-    followed_ = motion_->settled(model_, map_->bricks());
+    reference_ = motion_->settled(model_, map_->bricks());
     tracker_->addKeyFrame(frame, depth, model_);
     return pose;
   }
@@ -69,7 +69,7 @@ class TrackingRig {
   std::unique_ptr<MotionFilter> motion_;
   std::unique_ptr<DenseMap> map_;
   std::unique_ptr<PoseTracker> tracker_;
-  SurfaceMaps model_, followed_;
+  SurfaceMaps model_, reference_;
   StageTimer timer_;
 };
 

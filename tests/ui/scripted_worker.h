@@ -63,7 +63,7 @@ class ScriptedWorker {
                           [this](SampleExport& c) { samples.emplace_back(std::move(c.options), c.place); },
                           [this](ExportDataset& c) { exports.push_back(std::move(c.options)); },
                           [this](CancelExport) { commands.emplace_back("cancel export"); },
-                          [this](FollowCatalogue) { ++catalogue_changes; },
+                          [this](ApplyCatalogueChanges) { ++catalogue_changes; },
                           [this](const SetParams& c) { last_params = c.params; }},
                command);
   }

@@ -82,16 +82,16 @@ void CoverageGuide::showObjects() {
 
 void CoverageGuide::update() {
   ViewCoverage coverage;
-  bool is_thing = !selection_.selected().empty();
+  bool is_object = !selection_.selected().empty();
   for (const RegionId region : selection_.selected()) {
     const RegionInfo* const info = selection_.info(region);
-    is_thing = is_thing && info != nullptr && !info->note.background && !info->note.rejected;
-    if (is_thing) coverage.add(info->seen_from);
+    is_object = is_object && info != nullptr && !info->note.background && !info->note.rejected;
+    if (is_object) coverage.add(info->seen_from);
   }
   shown_.reset();
   const bool had_arrow = leads_to_.has_value();
   leads_to_.reset();
-  if (is_thing) {
+  if (is_object) {
     shown_ = sidesOf(coverage, scene_.view()->scene().sideAxes());
     showArrow(*shown_);
   }

@@ -214,7 +214,7 @@ void MainWindow::connectRegions() {
 void MainWindow::connectCatalogue() {
   ScanBridge& bridge = controller_->bridge();
   catalogue_timer_.setSingleShot(true);
-  connect(&catalogue_timer_, &QTimer::timeout, this, &MainWindow::followCatalogue);
+  connect(&catalogue_timer_, &QTimer::timeout, this, &MainWindow::readCatalogueChanges);
   connect(catalogue_, &CatalogueChoice::noted, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
   connect(catalogue_, &CatalogueChoice::failed, this,
@@ -225,7 +225,7 @@ void MainWindow::connectCatalogue() {
   bridge.on<ObjectsMerged>(this, soon);
   bridge.on<ObjectNamed>(this, soon);
   bridge.on<StateChanged>(this, soon);
-  connect(&editor_, &CatalogueEditor::edited, &bridge, [&bridge] { bridge.post(FollowCatalogue{}); });
+  connect(&editor_, &CatalogueEditor::edited, &bridge, [&bridge] { bridge.post(ApplyCatalogueChanges{}); });
   connect(&editor_, &CatalogueEditor::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::error, message); });
   connect(&model_, &ObjectListModel::dataChanged, parts_.frames->colorPanel(), qOverload<>(&QWidget::update));
@@ -241,7 +241,7 @@ void MainWindow::connectCatalogue() {
   catalogue_timer_.start(kOtherPrograms_ms);
 }
 
-void MainWindow::followCatalogue() {
+void MainWindow::readCatalogueChanges() {
   const bool wait = parts_.objects->list()->isHeld();
   if (!wait) editor_.poll();
   catalogue_timer_.start(wait ? kHeldList_ms : kOtherPrograms_ms);

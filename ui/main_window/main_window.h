@@ -68,7 +68,7 @@ class MainWindow : public QMainWindow {
   void connectCatalogue();
   void connectRegions();
   void showSavedScans();
-  void followCatalogue();
+  void readCatalogueChanges();
 
   UndoHistory history_;  ///< of all parts of the window; outlives them
   CatalogueEditor editor_;

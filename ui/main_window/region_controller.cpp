@@ -170,7 +170,7 @@ void RegionController::beginScan() {
 }
 
 void RegionController::showSnapshot(const ScanSnapshot& snapshot) {
-  selection_.follow(snapshot);
+  selection_.update(snapshot);
   operations_.showSnapshot(snapshot);
 }
 

@@ -87,9 +87,9 @@ std::vector<ObjectRecord> CatalogueEditor::objects() {
 Result<std::optional<ObjectRecord>> CatalogueEditor::mergeRootOf(ObjectId object) {
   std::optional<ObjectRecord> record;
   if (!isOpen()) return record;
-  const Result<ObjectId> holder = database_->mergeRoot(object);
-  if (!holder) return fail(holder.error());
-  if (*holder) SCANTROVE_TRY(moveInto(record, database_->object(*holder)));
+  const Result<ObjectId> root = database_->mergeRoot(object);
+  if (!root) return fail(root.error());
+  if (*root) SCANTROVE_TRY(moveInto(record, database_->object(*root)));
   return record;
 }
 
@@ -155,13 +155,13 @@ bool CatalogueEditor::rename(ObjectId object, const QString& name) {
   }
   const std::string newer = name.trimmed().toStdString();
   const std::string older = (*before)->name;
-  const ObjectId holder = (*before)->id;
+  const ObjectId root = (*before)->id;
   if (newer == older) return true;
   return perform(
       tr("Rename “%1” to “%2”").arg(QString::fromStdString(older), name.trimmed()),
-      [holder, newer](ObjectDatabase& database) { return database.rename(holder, newer); },
-      [holder, older, by = (*before)->named_by](ObjectDatabase& database) {
-        return database.rename(holder, older, by);
+      [root, newer](ObjectDatabase& database) { return database.rename(root, newer); },
+      [root, older, by = (*before)->named_by](ObjectDatabase& database) {
+        return database.rename(root, older, by);
       });
 }
 

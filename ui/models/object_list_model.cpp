@@ -31,7 +31,7 @@ QString sidesInWords(const SeenSides& seen) {
 ObjectListModel::ObjectListModel(CatalogueEditor& editor, QObject* parent)
     : QAbstractListModel(parent), editor_(editor), pictures_(kPictureCache_bytes) {
   connect(&editor_, &CatalogueEditor::opened, this, &ObjectListModel::readAll);
-  connect(&editor_, &CatalogueEditor::changed, this, &ObjectListModel::follow);
+  connect(&editor_, &CatalogueEditor::changed, this, &ObjectListModel::applyChanges);
   readAll();
 }
 
@@ -103,13 +103,13 @@ void ObjectListModel::readAll() {
   endResetModel();
 }
 
-void ObjectListModel::follow(const CatalogueChanges& changes) {
+void ObjectListModel::applyChanges(const CatalogueChanges& changes) {
   std::set<ObjectId> touched;
   for (const CatalogueChange& change : changes.changes) {
     touched.insert(change.object());
     if (change.mergeTarget()) touched.insert(change.mergeTarget());
   }
-  emit aboutToFollow();
+  emit aboutToUpdate();
   std::vector<ObjectId> gone;
   for (const ObjectId object : touched) {
     pictures_.remove(object.value);
@@ -128,7 +128,7 @@ void ObjectListModel::follow(const CatalogueChanges& changes) {
       emit merged(change.mergeTarget(), change.object());
   }
   for (const ObjectId object : gone) take(object);
-  emit followed();
+  emit updated();
 }
 
 void ObjectListModel::put(ObjectRecord record) {

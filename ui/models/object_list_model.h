@@ -52,8 +52,8 @@ class ObjectListModel : public QAbstractListModel {
   [[nodiscard]] int confirmedCount() const { return confirmed_count_; }
 
  signals:
-  void aboutToFollow();  ///< rows are about to come, go or change
-  void followed();       ///< they have
+  void aboutToUpdate();  ///< rows are about to come, go or change
+  void updated();        ///< they have
   /// Between the two: both rows are there, that of `from` is about to go.
   void merged(scantrove::ObjectId into, scantrove::ObjectId from);
 
@@ -61,7 +61,7 @@ class ObjectListModel : public QAbstractListModel {
   using Rows = std::vector<ObjectRecord>;  ///< by rising id
 
   void readAll();
-  void follow(const CatalogueChanges& changes);
+  void applyChanges(const CatalogueChanges& changes);
   void put(ObjectRecord record);
   void take(ObjectId object);
   [[nodiscard]] Rows::const_iterator placeOf(ObjectId object) const;

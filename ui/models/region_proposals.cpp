@@ -16,22 +16,22 @@ constexpr float kSameAppearance = 0.75F;
 constexpr float kClearlyMore = 0.03F;
 const QString kRejectionsKey = QStringLiteral("proposals/rejected");
 
-QByteArray bytesOf(const RegionAppearance& look) {
-  QByteArray bytes(reinterpret_cast<const char*>(look.size_m.data()), 3 * sizeof(float));
-  const ColorHistogram::Shares colors = look.colors.shares();
+QByteArray bytesOf(const RegionAppearance& appearance) {
+  QByteArray bytes(reinterpret_cast<const char*>(appearance.size_m.data()), 3 * sizeof(float));
+  const ColorHistogram::Shares colors = appearance.colors.shares();
   bytes.append(reinterpret_cast<const char*>(colors.data()), sizeof(colors));
   return bytes;
 }
 
 std::optional<RegionAppearance> appearanceOf(const QByteArray& bytes) {
-  RegionAppearance look;
+  RegionAppearance appearance;
   ColorHistogram::Shares colors{};
   constexpr std::size_t kOfSize = 3 * sizeof(float);
   if (static_cast<std::size_t>(bytes.size()) != kOfSize + sizeof(colors)) return std::nullopt;
-  std::memcpy(look.size_m.data(), bytes.constData(), kOfSize);
+  std::memcpy(appearance.size_m.data(), bytes.constData(), kOfSize);
   std::memcpy(colors.data(), bytes.constData() + kOfSize, sizeof(colors));
-  look.colors = ColorHistogram::ofShares(colors);
-  return look;
+  appearance.colors = ColorHistogram::ofShares(colors);
+  return appearance;
 }
 
 }  // namespace
@@ -44,11 +44,11 @@ void RegionProposals::propose(RegionId named, const QString& name, const QString
   open_.clear();
   observations_.clear();
   if (model != looks.end() && !name.isEmpty()) {
-    for (const auto& [region, look] : looks) {
-      const float alike = likeness(model->second, look);
-      if (region == named || alike < kLikeEnough || isRejected(name, region, look, alike)) continue;
-      open_.push_back({region, name, category, alike, look.size_m});
-      observations_[region] = look;
+    for (const auto& [region, appearance] : looks) {
+      const float alike = likeness(model->second, appearance);
+      if (region == named || alike < kLikeEnough || isRejected(name, region, appearance, alike)) continue;
+      open_.push_back({region, name, category, alike, appearance.size_m});
+      observations_[region] = appearance;
     }
   }
   std::ranges::stable_sort(open_, std::ranges::greater{}, &Proposal::likeness);
@@ -56,12 +56,12 @@ void RegionProposals::propose(RegionId named, const QString& name, const QString
   emit changed();
 }
 
-bool RegionProposals::isRejected(const QString& name, RegionId region, const RegionAppearance& look,
+bool RegionProposals::isRejected(const QString& name, RegionId region, const RegionAppearance& appearance,
                                  float likeness_to_named) const {
   if (rejected_.contains({region, name})) return true;
   return std::ranges::any_of(rejections_, [&](const Rejection& rejection) {
     if (rejection.name != name) return false;
-    const float alike = likeness(rejection.look, look);
+    const float alike = likeness(rejection.appearance, appearance);
     return alike > kSameAppearance && alike > likeness_to_named + kClearlyMore;
   });
 }
@@ -111,15 +111,15 @@ void RegionProposals::load() {
   for (const QVariant& entry : QSettings().value(kRejectionsKey).toList()) {
     const QVariantList pair = entry.toList();
     if (pair.size() != 2) continue;
-    if (const auto look = appearanceOf(pair[1].toByteArray()))
-      rejections_.push_back({pair[0].toString(), *look});
+    if (const auto appearance = appearanceOf(pair[1].toByteArray()))
+      rejections_.push_back({pair[0].toString(), *appearance});
   }
 }
 
 void RegionProposals::save() const {
   QVariantList list;
   for (const Rejection& rejection : rejections_)
-    list.push_back(QVariantList{rejection.name, bytesOf(rejection.look)});
+    list.push_back(QVariantList{rejection.name, bytesOf(rejection.appearance)});
   QSettings().setValue(kRejectionsKey, list);
 }
 

@@ -52,9 +52,9 @@ class RegionProposals : public QObject {
  private:
   struct Rejection {
     QString name;
-    RegionAppearance look;
+    RegionAppearance appearance;
   };
-  [[nodiscard]] bool isRejected(const QString& name, RegionId region, const RegionAppearance& look,
+  [[nodiscard]] bool isRejected(const QString& name, RegionId region, const RegionAppearance& appearance,
                                 float likeness_to_named) const;
   void load();
   void save() const;

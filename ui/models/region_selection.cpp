@@ -12,7 +12,7 @@ constexpr std::int64_t kVoxelsToWalkTo = 200;
 
 }  // namespace
 
-void RegionSelection::follow(const ScanSnapshot& snapshot) {
+void RegionSelection::update(const ScanSnapshot& snapshot) {
   takeChanges(snapshot.changed_regions);
   if (snapshot.region_infos == nullptr) return;
   infos_ = snapshot.region_infos;

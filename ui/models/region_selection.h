@@ -19,7 +19,7 @@ class RegionSelection : public QObject {
   explicit RegionSelection(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Takes over what is new in the snapshot.
-  void follow(const ScanSnapshot& snapshot);
+  void update(const ScanSnapshot& snapshot);
   /// Another scan.
   void reset();
 

@@ -28,7 +28,7 @@ class ElidedLabel : public QLabel {
     return {fontMetrics().horizontalAdvance(full_text_) + kMargin_px, QLabel::sizeHint().height()};
   }
   [[nodiscard]] QSize minimumSizeHint() const override {
-    return {fontMetrics().averageCharWidth() * kFewestLetters, QLabel::minimumSizeHint().height()};
+    return {fontMetrics().averageCharWidth() * kMinLetters, QLabel::minimumSizeHint().height()};
   }
 
  protected:
@@ -39,7 +39,7 @@ class ElidedLabel : public QLabel {
 
  private:
   static constexpr int kMargin_px = 2;
-  static constexpr int kFewestLetters = 4;
+  static constexpr int kMinLetters = 4;
 
   void elide() {
     const QString shown = fontMetrics().elidedText(full_text_, mode_, contentsRect().width());

@@ -19,7 +19,7 @@ NameEditor::NameEditor(QListView& list, CatalogueEditor& editor, ObjectListModel
   setAccessibleName(tr("Name of the object"));
   setMaxLength(kLongestName);
   hide();
-  connect(&model_, &ObjectListModel::followed, this, &NameEditor::place);
+  connect(&model_, &ObjectListModel::updated, this, &NameEditor::place);
   connect(&model_, &ObjectListModel::merged, this, [this](ObjectId into, ObjectId from) {
     if (object_ && object_ == from) object_ = into;
   });

@@ -29,8 +29,8 @@ ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, 
   setMouseTracking(true);
   setAccessibleName(tr("Objects"));
   setObjectName(QStringLiteral("objectList"));
-  connect(&model_, &ObjectListModel::aboutToFollow, this, &ObjectListView::rememberPlace);
-  connect(&model_, &ObjectListModel::followed, this, &ObjectListView::restorePlace);
+  connect(&model_, &ObjectListModel::aboutToUpdate, this, &ObjectListView::rememberPlace);
+  connect(&model_, &ObjectListModel::updated, this, &ObjectListView::restorePlace);
   connect(&model_, &ObjectListModel::merged, this, &ObjectListView::moveSelection);
   connect(verticalScrollBar(), &QAbstractSlider::valueChanged, this, &ObjectListView::newBelowChanged);
   name_editor_ = new NameEditor(*this, editor, model);

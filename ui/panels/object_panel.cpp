@@ -57,7 +57,7 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   };
   connect(&editor_, &CatalogueEditor::opened, this, &ObjectPanel::updateCatalogue);
   updateCatalogue();
-  connect(&model_, &ObjectListModel::followed, this, update);
+  connect(&model_, &ObjectListModel::updated, this, update);
   connect(&model_, &QAbstractItemModel::modelReset, this, update);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ObjectPanel::updateSelection);

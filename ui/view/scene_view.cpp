@@ -95,8 +95,8 @@ void SceneView::setColoring(Coloring coloring) {
   drawing_.schedule();
 }
 
-void SceneView::setBackground(const std::set<RegionId>& regions, BackgroundStyle look) {
-  scene_.setBackground(regions, look);
+void SceneView::setBackground(const std::set<RegionId>& regions, BackgroundStyle style) {
+  scene_.setBackground(regions, style);
   drawing_.schedule();
 }
 

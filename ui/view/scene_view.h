@@ -43,7 +43,7 @@ class SceneView : public QWidget {
   [[nodiscard]] const cv::Mat& regionIds();
   void setColoring(Coloring coloring);
   /// These regions are background and look like that from now on.
-  void setBackground(const std::set<RegionId>& regions, BackgroundStyle look);
+  void setBackground(const std::set<RegionId>& regions, BackgroundStyle style);
   /// These are selected: as long as they are small they are drawn finely, whatever arrives.
   void setSelected(const std::set<RegionId>& regions);
   void lookFrom(StandardView from);

@@ -54,7 +54,7 @@ class ObjectCollectorFixture : public TableFixture {
   }
 
   void addEvents(FrameObjects& objects) {
-    FrameObjects later = collector_->followCatalogue();
+    FrameObjects later = collector_->applyCatalogueChanges();
     std::ranges::move(later.added, std::back_inserter(objects.added));
     std::ranges::move(later.recognized, std::back_inserter(objects.recognized));
     std::ranges::move(later.new_views, std::back_inserter(objects.new_views));

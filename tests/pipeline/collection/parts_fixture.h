@@ -61,7 +61,7 @@ class PartsFixture : public TableFixture {
   }
   /// Waits until all results are stored, and reads the changes by others.
   void store() {
-    writer_->follow();
+    writer_->requestChanges();
     ASSERT_TRUE(writer_->settle(std::chrono::seconds(60)));
     for (const CatalogueEvent& event : writer_->drainEvents()) catalogue_->apply(event);
   }

@@ -102,7 +102,7 @@ TEST_F(RecognizerPlacesTest, RecognizesByPlace_WhenThePlaceIsKnownOnlyAtTheEnd) 
   EXPECT_EQ(found.recognized[0].id, jar_id_);
   collector_->endRefinement();
   settle();
-  static_cast<void>(collector_->followCatalogue());
+  static_cast<void>(collector_->applyCatalogueChanges());
   EXPECT_EQ(collector_->objects().idOf(jar_.thing.region), jar_id_);
   EXPECT_EQ(*person_->mergeRoot(taken_for_new), jar_id_);
   EXPECT_EQ(objects().size(), 4U);

@@ -44,7 +44,7 @@ class RefinementTest : public test::ObjectCollectorFixture {
   void end() {
     collector_->endRefinement();
     settle();
-    static_cast<void>(collector_->followCatalogue());
+    static_cast<void>(collector_->applyCatalogueChanges());
   }
   [[nodiscard]] ObjectId objectOf(const Thing& thing) const {
     return collector_->objects().idOf(thing.region);
@@ -130,7 +130,7 @@ TEST_F(RefinementTest, AddsNothing_WhenAUserDeletedTheObject) {
   ASSERT_EQ(objects().size(), 1U);
   ASSERT_TRUE(person_->remove(std::array{objects()[0].id}));
   settle();
-  static_cast<void>(collector_->followCatalogue());
+  static_cast<void>(collector_->applyCatalogueChanges());
   begin({mug_});
   for (int i = 0; i < kFrames; ++i) static_cast<void>(lookAt({rated(mug_, 4)}, {mug_}));
   static_cast<void>(collector_->beginLastPass());

@@ -322,7 +322,7 @@ TEST_F(UserRequestsTest, RegionIsFixed_WhenAUserEditedOrDeletedItsObject) {
   ASSERT_TRUE(person_->rename(collector_->objects().idOf(box_.region), "my box"));
   ASSERT_TRUE(person_->remove(std::array{collector_->objects().idOf(deleted)}));
   settle();
-  static_cast<void>(collector_->followCatalogue());
+  static_cast<void>(collector_->applyCatalogueChanges());
   EXPECT_TRUE(collector_->requests().isFixed(box_.region));
   EXPECT_TRUE(collector_->requests().isFixed(deleted)) << "or its parts would be found again";
   EXPECT_FALSE(collector_->requests().isFixed(mug_.region));

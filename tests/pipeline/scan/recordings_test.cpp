@@ -48,7 +48,7 @@ TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognizedTheSecondTime) {
   EXPECT_LT(ate, 0.040);
   EXPECT_GE(first.report->objects.size(), 3U) << "mugs, boxes, books stand on this table";
   // Objects whose regions join become one, and some turn out not to be what their views show.
-  EXPECT_EQ(first.added.size() - first.merged.size() - first.left.size(), first.report->objects.size());
+  EXPECT_EQ(first.added.size() - first.merged.size() - first.removed.size(), first.report->objects.size());
 
   ScanRequest again = scanOf(recording, out.path() / "second");
   again.database = (out.path() / "first" / "catalogue.sqlite").string();

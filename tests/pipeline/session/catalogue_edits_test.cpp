@@ -78,12 +78,12 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
   ASSERT_TRUE(person->rename(objects[0], "my mug"));
   ASSERT_TRUE(person->setConfirmed(std::array{objects[1]}, true));
   ASSERT_TRUE(person->remove(std::array{objects[2], objects[3]}));
-  worker_.post(FollowCatalogue{});
+  worker_.post(ApplyCatalogueChanges{});
   letFramesPass(20);
   ASSERT_TRUE(person->restore(std::array{objects[3]}));
   const Result<ObjectMerge> merge = person->merge(std::array{objects[0], objects[1]});
   ASSERT_TRUE(merge);
-  worker_.post(FollowCatalogue{});
+  worker_.post(ApplyCatalogueChanges{});
   letFramesPass(5);
   ASSERT_EQ(worker_.state(), ScanState::scanning) << "the edits came too late to be during the scan";
   worker_.wait();
@@ -120,7 +120,7 @@ TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
   ASSERT_NE(shown, paused->objects.end());
   const ObjectId object = shown->object;
   ASSERT_TRUE(open(requested)->rename(object, "called while paused"));
-  worker_.post(FollowCatalogue{});
+  worker_.post(ApplyCatalogueChanges{});
   bool is_seen = false;
   while (!is_seen) {
     const auto snapshot = awaitSnapshot(1);

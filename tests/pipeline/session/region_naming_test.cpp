@@ -175,8 +175,8 @@ TEST_F(RegionNaming, InASessionThatIsOpenedLater) {
     ASSERT_TRUE(session);
     const auto named = session->edit(naming(regions[3], "thing"));
     ASSERT_TRUE(named);
-    const Result<void> followed = applyToCatalogue(*session);
-    ASSERT_TRUE(followed) << followed.error().message();
+    const Result<void> applied = applyToCatalogue(*session);
+    ASSERT_TRUE(applied) << applied.error().message();
     EXPECT_TRUE(session->objectOf(regions[3]));
   }
   ASSERT_EQ(objectsCalled("thing").size(), 1U);
@@ -257,9 +257,9 @@ TEST_F(RegionNaming, WithoutItsCatalogueIsSaid) {
   const auto session = open();
   ASSERT_TRUE(session);
   ASSERT_TRUE(session->edit(naming(regions[3], "thing")));
-  const Result<void> followed = applyToCatalogue(*session);
-  ASSERT_FALSE(followed);
-  EXPECT_THAT(followed.error().message(), HasSubstr("catalogue.sqlite"));
+  const Result<void> applied = applyToCatalogue(*session);
+  ASSERT_FALSE(applied);
+  EXPECT_THAT(applied.error().message(), HasSubstr("catalogue.sqlite"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "catalogue.sqlite")) << "none is made";
 }
 

@@ -20,7 +20,7 @@ class CoverageGuideTest : public WindowTest {
   void SetUp() override {
     WindowTest::SetUp();
     window_->open(QStringLiteral("demo"));
-    fromInFront_.look({0, 0, -1});
+    fromInFront_.addDirection({0, 0, -1});
   }
 
   ScanSnapshot thingSeen(int frame, const ViewCoverage& from, const RegionNote& note = {}) {
@@ -53,7 +53,7 @@ ViewCoverage fromAllAround() {
   ViewCoverage coverage;
   for (int i = 0; i < 36; ++i) {
     const float angle = static_cast<float>(i) * 0.1745F;
-    coverage.look({std::cos(angle), -0.4F, std::sin(angle)});  // y is down
+    coverage.addDirection({std::cos(angle), -0.4F, std::sin(angle)});  // y is down
   }
   return coverage;
 }
@@ -94,7 +94,7 @@ TEST_F(CoverageGuideTest, LooksThatComeWhileItIsSelectedCount) {
   window_->regions().selection().select(kThing);
   const int before = guide().shown()->count();
   ViewCoverage more = fromInFront_;
-  more.look({1, 0, 0});
+  more.addDirection({1, 0, 0});
   show(thingSeen(2, more));
   EXPECT_GT(guide().shown()->count(), before);
 }

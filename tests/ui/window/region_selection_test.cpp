@@ -26,23 +26,23 @@ RegionInfo info(std::uint32_t region, std::int64_t voxels, const std::string& na
 
 TEST(RegionSelection, ASelectedRegionThatIsJoinedIsFollowed) {
   RegionSelection selection;
-  selection.follow(snapshotWith({{FragmentId{1}, RegionId{10}}, {FragmentId{2}, RegionId{20}}},
+  selection.update(snapshotWith({{FragmentId{1}, RegionId{10}}, {FragmentId{2}, RegionId{20}}},
                                 {info(10, 500), info(20, 900)}));
   selection.select(RegionId{20});
   const QSignalSpy changes(&selection, &RegionSelection::selectionChanged);
-  selection.follow(snapshotWith({{FragmentId{2}, RegionId{10}}}, {info(10, 1400)}));
+  selection.update(snapshotWith({{FragmentId{2}, RegionId{10}}}, {info(10, 1400)}));
   EXPECT_EQ(selection.selected(), std::vector{RegionId{10}});
   EXPECT_EQ(changes.count(), 1);
 }
 
 TEST(RegionSelection, OneThatPartsGoesOnAndWhatIsNoMoreIsLetGo) {
   RegionSelection selection;
-  selection.follow(
+  selection.update(
       snapshotWith({{FragmentId{1}, RegionId{10}}, {FragmentId{2}, RegionId{10}}}, {info(10, 1000)}));
   selection.select(RegionId{10});
-  selection.follow(snapshotWith({{FragmentId{2}, RegionId{11}}}, {info(10, 600), info(11, 400)}));
+  selection.update(snapshotWith({{FragmentId{2}, RegionId{11}}}, {info(10, 600), info(11, 400)}));
   EXPECT_EQ(selection.selected(), std::vector{RegionId{10}});
-  selection.follow(snapshotWith({{FragmentId{1}, RegionId{}}}, {info(11, 400)}));
+  selection.update(snapshotWith({{FragmentId{1}, RegionId{}}}, {info(11, 400)}));
   EXPECT_TRUE(selection.selected().empty());
 }
 
@@ -50,11 +50,11 @@ TEST(RegionSelection, WalksBySizeAndLeavesOutBackgroundAndCrumbs) {
   RegionSelection selection;
   RegionInfo table = info(1, 90000);
   table.note.background = true;
-  selection.follow(snapshotWith({}, {table, info(2, 500), info(3, 5000), info(4, 3)}));
+  selection.update(snapshotWith({}, {table, info(2, 500), info(3, 5000), info(4, 3)}));
   selection.walk(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{3}});
   // The other one grows meanwhile, and is no less the next.
-  selection.follow(snapshotWith({}, {table, info(2, 50000), info(3, 5000), info(4, 3)}));
+  selection.update(snapshotWith({}, {table, info(2, 50000), info(3, 5000), info(4, 3)}));
   selection.walk(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{2}});
   selection.walk(false);
@@ -77,7 +77,7 @@ TEST(RegionSelection, SelectingAlsoAddsAndTakesAway) {
 
 TEST(RegionSelection, TitlesAreNamesWhereThereAreAny) {
   RegionSelection selection;
-  selection.follow(snapshotWith({}, {info(2, 500, "red cup"), info(3, 5000)}));
+  selection.update(snapshotWith({}, {info(2, 500, "red cup"), info(3, 5000)}));
   EXPECT_EQ(selection.title(RegionId{2}), QStringLiteral("red cup"));
   EXPECT_EQ(selection.title(RegionId{3}), QStringLiteral("Region 3"));
 }

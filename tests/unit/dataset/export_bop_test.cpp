@@ -180,8 +180,8 @@ TEST(BopExportOptions, DepthKeepsItsUnits) {
   EXPECT_EQ(camera["depth_scale"], 0.2);
   const cv::Mat depth = fine.image("000001/depth/000000.png");
   const double z_mm = depth.at<std::uint16_t>(240, 320) * 0.2;
-  const auto exact =
-      test::Shapes().look(fine.scene.K_color, fine.scene.poseOf(0) * fine.scene.T_color_depth.inverse());
+  const auto exact = test::Shapes().renderView(fine.scene.K_color,
+                                               fine.scene.poseOf(0) * fine.scene.T_color_depth.inverse());
   EXPECT_NEAR(z_mm, 1000 * exact.depth_m.at<float>(240, 320), 10);
 }
 

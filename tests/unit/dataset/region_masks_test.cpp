@@ -30,7 +30,7 @@ struct Refined {
     const std::vector<KeyFrameInfo> frames = *scene.keyFrames(false);
     for (const KeyFrameInfo& frame : frames) {
       if (frame.index != index) continue;
-      map = *scene.look(frame.K_color, frame.colorCameraPose());
+      map = *scene.renderView(frame.K_color, frame.colorCameraPose());
       measured.depth_m = registerDepth(frame, *scene.depth(index));
       if (with_color) measured.color = *scene.color(index);
       focal_px = frame.K_color.fx;
@@ -119,7 +119,8 @@ TEST(RegionMasks, MixedReadingsAtEdgesOpenNoGaps) {
   // Time-of-flight cameras give a mean of both depths where a pixel sees an edge.
   ScannedScene scene;
   Refined refined(scene);
-  const cv::Mat exact = Shapes().look(scene.K_color, scene.poseOf(0) * scene.T_color_depth.inverse()).depth_m;
+  const cv::Mat exact =
+      Shapes().renderView(scene.K_color, scene.poseOf(0) * scene.T_color_depth.inverse()).depth_m;
   cv::Mat low, high;
   cv::erode(exact, low, cv::Mat());
   cv::dilate(exact, high, cv::Mat());

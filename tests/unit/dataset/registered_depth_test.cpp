@@ -30,7 +30,7 @@ TEST(RegisteredDepth, IsWhatTheColorCameraWouldMeasure) {
   scene.depth_noise_px = 0;
   const KeyFrameInfo frame = firstFrame(scene);
   const cv::Mat seen = registerDepth(frame, *scene.depth(0));
-  const cv::Mat exact = Shapes().look(frame.K_color, frame.colorCameraPose()).depth_m;
+  const cv::Mat exact = Shapes().renderView(frame.K_color, frame.colorCameraPose()).depth_m;
   ASSERT_EQ(seen.size(), exact.size());
   int both = 0, right = 0, gaps = 0;
   for (int v = 20; v < seen.rows - 20; ++v) {

@@ -45,8 +45,8 @@ class Shapes {
   }
 
   /// Region ids and depths by pixel. `only`: as if nothing else were there (0 = all).
-  [[nodiscard]] ViewOfMap look(const Intrinsics& K, const Eigen::Isometry3d& T,
-                               std::uint32_t only = 0) const {
+  [[nodiscard]] ViewOfMap renderView(const Intrinsics& K, const Eigen::Isometry3d& T,
+                                     std::uint32_t only = 0) const {
     ViewOfMap view{cv::Mat::zeros(K.height, K.width, CV_32SC1), cv::Mat::zeros(K.height, K.width, CV_32FC1)};
     for (int v = 0; v < K.height; ++v) {
       for (int u = 0; u < K.width; ++u) {
@@ -148,7 +148,7 @@ class ScannedScene : public LabeledScan {
   [[nodiscard]] Result<cv::Mat> depth(int index) override {
     if (with_damaged_depth.contains(index))
       return fail("depth-" + std::to_string(index) + ".png is truncated.");
-    const cv::Mat exact = Shapes().look(K_depth, poseOf(index)).depth_m;
+    const cv::Mat exact = Shapes().renderView(K_depth, poseOf(index)).depth_m;
     std::vector<float> z(exact.begin<float>(), exact.end<float>());
     if (depth_noise_px > 0)
       addDisparityNoise(z, K_depth, 5U + static_cast<unsigned>(index), 0.15, depth_noise_px);
@@ -158,12 +158,12 @@ class ScannedScene : public LabeledScan {
     });
     return units;
   }
-  [[nodiscard]] Result<ViewOfMap> look(const Intrinsics& K,
-                                       const Eigen::Isometry3d& T_world_camera) override {
+  [[nodiscard]] Result<ViewOfMap> renderView(const Intrinsics& K,
+                                             const Eigen::Isometry3d& T_world_camera) override {
     on_look(++observations_);
     if (map_is_damaged) return fail("map/bricks-0001 is damaged.");
     const Eigen::Isometry3d T = Eigen::Translation3d(faults.shift_m) * T_world_camera;
-    ViewOfMap view = Shapes(faults.swollen_m).look(K, T);
+    ViewOfMap view = Shapes(faults.swollen_m).renderView(K, T);
     for (int v = 0; v < K.height && faults.voxel_m > 0; ++v) {
       for (int u = 0; u < K.width; ++u) {
         const float z = view.depth_m.at<float>(v, u);
@@ -201,7 +201,7 @@ class ScannedScene : public LabeledScan {
   /// CV_8UC1, 255 where the colour camera of a frame sees the region; `whole`: also behind others.
   [[nodiscard]] cv::Mat exactMask(int index, std::uint32_t region, bool whole = false) const {
     const Eigen::Isometry3d T = poseOf(index) * T_color_depth.inverse();
-    return Shapes().look(K_color, T, whole ? region : 0).regions == static_cast<int>(region);
+    return Shapes().renderView(K_color, T, whole ? region : 0).regions == static_cast<int>(region);
   }
   [[nodiscard]] std::filesystem::path fileOf(int index) const {
     return folder_ / ("frame " + std::to_string(index) + ".jpg");
@@ -216,7 +216,7 @@ class ScannedScene : public LabeledScan {
       folder_.write(file.filename().string(), "\xFF\xD8\xFF no more than a beginning");
       return file;
     }
-    const ViewOfMap view = Shapes().look(K_color, info.colorCameraPose());
+    const ViewOfMap view = Shapes().renderView(K_color, info.colorCameraPose());
     cv::Mat image(view.regions.size(), CV_8UC3);
     std::mt19937 random(static_cast<unsigned>(info.index));
     std::normal_distribution<float> noise(0, 3);

@@ -100,7 +100,7 @@ TEST(SizeHistory, FollowsJoins_InEverySet) {
   const RegionSet both{RegionId{1}, RegionId{2}}, with_third{RegionId{2}, RegionId{3}};
   const SizeHistory::Sighting sightings[] = {{both, 1.0F}, {with_third, 2.0F}};
   history.add(sightings, 5);
-  history.follow(RegionId{1}, RegionId{2});
+  history.joinRegions(RegionId{1}, RegionId{2});
   EXPECT_TRUE(history.isPersistent({RegionId{1}}, 1, 0.1F));
   EXPECT_TRUE(history.isPersistent({RegionId{1}, RegionId{3}}, 1, 0.1F));
   EXPECT_FALSE(history.isPersistent(both, 1, 0.1F));
@@ -183,7 +183,7 @@ TEST(ObservationHistory, KeepsTheSetWithMoreObservations_WhenRegionsJoin) {
     history.add({RegionId{5}}, seenFrom(4.0F * static_cast<float>(i)));
     if (i == 0) history.add({RegionId{6}}, seenFrom(0));
   }
-  history.follow(RegionId{6}, RegionId{5});
+  history.joinRegions(RegionId{6}, RegionId{5});
   EXPECT_FALSE(history.isComplete({RegionId{5}}, observationParams()));
   EXPECT_TRUE(history.isComplete({RegionId{6}}, observationParams())) << "the set with more observations";
 }

@@ -12,14 +12,14 @@ TEST(RegionRules, RegionIsAStrip_WhenThinWithoutBulgeOrTooLong) {
     box.size_m = {length_m, width_m, 0.02F};
     return box;
   };
-  EXPECT_FALSE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, params)) << "the edge of a shelf";
-  EXPECT_TRUE(isNotStrip(boxOf(0.15F, 0.01F), 0.5F, params)) << "a pen";
-  EXPECT_TRUE(isNotStrip(boxOf(0.25F, 0.15F), 0.03F, params)) << "a book lying flat";
-  EXPECT_FALSE(isNotStrip(boxOf(0.6F, 0.05F), 0.3F, params)) << "the leg of a table";
-  EXPECT_TRUE(isNotStrip(boxOf(0.3F, 0.06F), 0.3F, params)) << "a bottle";
+  EXPECT_TRUE(isStrip(boxOf(0.4F, 0.05F), 0.0F, params)) << "the edge of a shelf";
+  EXPECT_FALSE(isStrip(boxOf(0.15F, 0.01F), 0.5F, params)) << "a pen";
+  EXPECT_FALSE(isStrip(boxOf(0.25F, 0.15F), 0.03F, params)) << "a book lying flat";
+  EXPECT_TRUE(isStrip(boxOf(0.6F, 0.05F), 0.3F, params)) << "the leg of a table";
+  EXPECT_FALSE(isStrip(boxOf(0.3F, 0.06F), 0.3F, params)) << "a bottle";
   DiscoveryParams all;
   all.min_strip_ratio = 0;
-  EXPECT_TRUE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, all));
+  EXPECT_FALSE(isStrip(boxOf(0.4F, 0.05F), 0.0F, all));
 }
 
 TEST(RegionRules, RegionIsFlat_WhenLargerThanABookWithoutBulge) {
@@ -27,10 +27,10 @@ TEST(RegionRules, RegionIsFlat_WhenLargerThanABookWithoutBulge) {
   OrientedBox box;
   box.size_m = {0.5F, 0.4F, 0.05F};
   box.thickness_ratio = 0.06F;
-  EXPECT_FALSE(isNotFlat(box, 0.03F, params)) << "the door of a cupboard";
-  EXPECT_TRUE(isNotFlat(box, 0.3F, params)) << "a cushion";
+  EXPECT_TRUE(isFlat(box, 0.03F, params)) << "the door of a cupboard";
+  EXPECT_FALSE(isFlat(box, 0.3F, params)) << "a cushion";
   box.size_m = {0.35F, 0.25F, 0.02F};
-  EXPECT_TRUE(isNotFlat(box, 0.0F, params)) << "a book";
+  EXPECT_FALSE(isFlat(box, 0.0F, params)) << "a book";
 }
 
 }  // namespace

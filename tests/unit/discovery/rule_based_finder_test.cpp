@@ -55,11 +55,11 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
   ask("off border", isOffBorder(*extent, visible, params));
   ask("enough points", hasEnoughPoints(*extent, scene.view.K, params));
   ask("central", isCentral(*extent, scene.view.K, params));
-  ask("not eccentric", isNotEccentric(*extent, params));
+  ask("not eccentric", !isEccentric(*extent, params));
   ask("size in range", isSizeInRange(box, params));
-  ask("not flat", isNotFlat(box, bulgeOf({extent->region}, extent->box_px, input), params));
-  ask("not a strip", isNotStrip(box, bulgeOf({extent->region}, extent->box_px, input), params));
-  ask("not background", isNotBackground(RegionOutlines(input).of({extent->region}), params));
+  ask("not flat", !isFlat(box, bulgeOf({extent->region}, extent->box_px, input), params));
+  ask("not a strip", !isStrip(box, bulgeOf({extent->region}, extent->box_px, input), params));
+  ask("not background", !isBackground(RegionOutlines(input).of({extent->region}), params));
   return rules;
 }
 

@@ -69,12 +69,12 @@ TEST(JudgeEntry, IsWhole_WhenFourOfFiveViewsAre) {
   const std::vector<ViewJudgment> good{mug, half, mug, mug, mug};
   EXPECT_EQ(judgeEntry(good).verdict, whole);
   EXPECT_THAT(judgeEntry(good).instances, ElementsAre(2));
-  EXPECT_EQ(judgeEntry(good).whole_views, 4);
+  EXPECT_EQ(judgeEntry(good).complete_views, 4);
   const std::vector<ViewJudgment> poor{mug, mug, half, both, both, both};
   EXPECT_EQ(judgeEntry(poor).verdict, merger);
   EXPECT_THAT(judgeEntry(poor).instances, ElementsAre(3, 2));
   EXPECT_EQ(judgeEntry(poor).views, 6);
-  EXPECT_EQ(judgeEntry(poor).whole_views, 2);
+  EXPECT_EQ(judgeEntry(poor).complete_views, 2);
 }
 
 TEST(JudgeEntry, IsAMerger_WhenViewsShowTwoWholeObjects) {
@@ -135,7 +135,7 @@ TEST(EvaluateCatalogue, ReturnsKnownPurityAndCompleteness) {
       {2, {100, 0.1, 60}}, {3, {40, 0.3, 30}}, {4, {100, 0.03, 90}}, {5, {10, 0.2, 10}}, {6, {50, 0.3, 2}}};
   const CatalogueMetrics metrics = evaluateCatalogue(entries, objects);
   EXPECT_EQ(metrics.entries, 4);
-  EXPECT_EQ(metrics.whole, 2);
+  EXPECT_EQ(metrics.complete, 2);
   EXPECT_EQ(metrics.purity, 0.5);
   EXPECT_EQ(metrics.expected, 3);
   EXPECT_DOUBLE_EQ(metrics.completeness, 1.0 / 3);

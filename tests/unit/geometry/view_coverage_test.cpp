@@ -31,7 +31,7 @@ TEST(ViewCoverage, OneViewCoversItsDirectionAndItsSurroundings) {
   for (int i = 0; i < kObservations; ++i) {
     const Vector3f direction(normal(random), normal(random), normal(random));
     ViewCoverage coverage;
-    coverage.look(direction);
+    coverage.addDirection(direction);
     EXPECT_TRUE(coverage.covers(direction)) << direction.transpose();
     EXPECT_FALSE(coverage.covers(-direction)) << direction.transpose();
     EXPECT_GE(coverage.share(), 6.0F / ViewCoverage::kCells);
@@ -44,30 +44,31 @@ TEST(ViewCoverage, OneViewCoversItsDirectionAndItsSurroundings) {
 TEST(ViewCoverage, IsComplete_WhenSeenFromEverywhere) {
   ViewCoverage coverage;
   for (int e = -90; e <= 90; e += 15) {
-    for (int a = 0; a < 360; a += 15) coverage.look(around(static_cast<float>(a), static_cast<float>(e)));
+    for (int a = 0; a < 360; a += 15)
+      coverage.addDirection(around(static_cast<float>(a), static_cast<float>(e)));
   }
   EXPECT_EQ(coverage.share(), 1);
 }
 
 TEST(ViewCoverage, IgnoresADirection_WhenZeroOrNotFinite) {
   ViewCoverage coverage;
-  coverage.look(Vector3f::Zero());
-  coverage.look({std::numeric_limits<float>::quiet_NaN(), 0, 1});
-  coverage.look({std::numeric_limits<float>::infinity(), 0, 1});
+  coverage.addDirection(Vector3f::Zero());
+  coverage.addDirection({std::numeric_limits<float>::quiet_NaN(), 0, 1});
+  coverage.addDirection({std::numeric_limits<float>::infinity(), 0, 1});
   EXPECT_EQ(coverage, ViewCoverage());
 }
 
 TEST(SeenSides, AreComplete_AfterAFullCircleAtAnyHeight) {
   for (const float elevation_deg : {0.0F, 20.0F, 35.0F, 50.0F}) {
     ViewCoverage coverage;
-    for (int a = 0; a < 360; a += 10) coverage.look(around(static_cast<float>(a), elevation_deg));
+    for (int a = 0; a < 360; a += 10) coverage.addDirection(around(static_cast<float>(a), elevation_deg));
     EXPECT_TRUE(sidesOf(coverage, kZUp).isComplete()) << elevation_deg;
   }
 }
 
 TEST(SeenSides, AreAboutHalf_AfterHalfACircle) {
   ViewCoverage coverage;
-  for (int a = 0; a <= 180; a += 5) coverage.look(around(static_cast<float>(a), 30));
+  for (int a = 0; a <= 180; a += 5) coverage.addDirection(around(static_cast<float>(a), 30));
   const SeenSides seen = sidesOf(coverage, kZUp);
   // The path passes sides 0 .. 6. A view covers 22.5 degrees, so one more side at either end may count.
   for (std::size_t side = 0; side <= 6; ++side) EXPECT_TRUE(seen.sides[side]) << side;
@@ -79,7 +80,7 @@ TEST(SeenSides, AreAboutHalf_AfterHalfACircle) {
 
 TEST(SeenSides, CountNoSide_WhenSeenFromAbove) {
   ViewCoverage coverage;
-  coverage.look(Vector3f::UnitZ());
+  coverage.addDirection(Vector3f::UnitZ());
   const SeenSides seen = sidesOf(coverage, kZUp);
   EXPECT_TRUE(seen.above);
   EXPECT_EQ(seen.count(), 0);

@@ -66,8 +66,8 @@ TEST(RegionTable, CoverageSpansAllFragmentsAndIsEmpty_ForAReusedNumber) {
   RegionTable table;
   const FragmentId a = table.newFragment();
   const FragmentId b = table.newFragment();
-  table.look(a, {1, 0, 0});
-  table.look(b, {0, 0, 1});
+  table.addViewDirection(a, {1, 0, 0});
+  table.addViewDirection(b, {0, 0, 1});
   ASSERT_TRUE(table.join(table.regionOf(a), table.regionOf(b)));
   const ViewCoverage both = table.seenFrom(table.regionOf(a));
   EXPECT_TRUE(both.covers({1, 0, 0}));

@@ -248,7 +248,7 @@ TEST(RegionTable, LabeledRegionKeepsItsIdentity_WhenJoinedWithAKnownOne) {
   const FragmentId large = table.newFragment(), small = table.newFragment();
   const RegionId labeled = table.regionOf(small);
   table.setKnown(table.regionOf(large), true);
-  table.say(labeled, UserLabel::thing);
+  table.setUserLabel(labeled, UserLabel::object);
   RegionEvents events;
   const std::vector<int> voxels{0, 1000, 10};
   table.divide({{large, small}}, voxels, events);
@@ -272,9 +272,9 @@ TEST(RegionTable, RestoresFreeNumbers) {
 TEST(RegionTable, EachFollowerTakesEveryChange) {
   RegionTable table;
   const FragmentId fragment = table.newFragment();
-  EXPECT_EQ(table.takeChanged(RegionTable::Follower::window), std::vector{fragment});
-  EXPECT_TRUE(table.takeChanged(RegionTable::Follower::window).empty());
-  EXPECT_EQ(table.takeChanged(RegionTable::Follower::session), std::vector{fragment});
+  EXPECT_EQ(table.takeChanged(RegionTable::Reader::window), std::vector{fragment});
+  EXPECT_TRUE(table.takeChanged(RegionTable::Reader::window).empty());
+  EXPECT_EQ(table.takeChanged(RegionTable::Reader::session), std::vector{fragment});
 }
 
 }  // namespace

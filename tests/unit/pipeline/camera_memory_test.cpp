@@ -46,7 +46,7 @@ CameraMemory memoryOf(bool with_tracker) {
     memory.tracker->last_view = {imageOf(4, 3, CV_8UC1, 80), K, poseOf(0.01)};
     memory.tracker->places = {keyFrameOf(0.9), keyFrameOf(1.1)};
     memory.tracker->surfaces = {viewOf(0.8), viewOf(1.2)};
-    memory.followed_normals_world.assign(12, {0, 0, 1, 1});
+    memory.reference_normals_world.assign(12, {0, 0, 1, 1});
   }
   memory.free_space.views = 29;
   memory.free_space.witnesses.push_back({K, poseOf(2), imageOf(4, 3, CV_32FC1, 3)});

@@ -67,7 +67,7 @@ TEST_F(FinerRegionsTest, KeepsARegion_WhenKnownLabeledOrExcluded) {
   excluded_ = of(kFirst);
   EXPECT_FALSE(finer().areDivided());
   excluded_ = {};
-  table_.say(of(kFirst), UserLabel::background);
+  table_.setUserLabel(of(kFirst), UserLabel::background);
   EXPECT_FALSE(finer().areDivided());
 }
 

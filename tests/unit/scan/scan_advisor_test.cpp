@@ -31,7 +31,7 @@ TEST(ScanAdvisor, IsMisled_WhenTheCameraIsLostAfterTheFirstFrame) {
   EXPECT_FALSE(advisor.isMisled());
   addFrames(advisor, 1, false);
   EXPECT_TRUE(advisor.isMisled());
-  EXPECT_THAT(advisor.beginAnew(30).message(), HasSubstr("after the first frame and not found again"));
+  EXPECT_THAT(advisor.restart(30).message(), HasSubstr("after the first frame and not found again"));
   EXPECT_FALSE(advisor.isMisled());
   addFrames(advisor, ScanAdvisor::kLostFrames, false);
   EXPECT_FALSE(advisor.isMisled()) << "there is no map yet";

@@ -50,7 +50,7 @@ TEST_F(ScanTallyTest, CountsALateFrameAsTracked_WhenItWasLostBefore) {
 TEST_F(ScanTallyTest, CountsTrackedFramesAsLost_WhenTheMapIsDiscarded) {
   static_cast<void>(tally_.addFrame(tracked(), 4));
   static_cast<void>(tally_.addFrame(lost(), 3));
-  tally_.beginAnew();
+  tally_.restart();
   static_cast<void>(tally_.addFrame(tracked(), 5));
   EXPECT_EQ(tally_.frames().tracked, 1);
   EXPECT_EQ(tally_.frames().lost, 2);

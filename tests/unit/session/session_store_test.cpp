@@ -24,8 +24,8 @@ SavedDelta someDelta(int seed) {
   frame.T_world_camera = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY());
   delta.frames.push_back(frame);
   ViewCoverage seen_from;
-  seen_from.look({1, 2, -3});
-  seen_from.look({-1, 0, static_cast<float>(seed)});
+  seen_from.addDirection({1, 2, -3});
+  seen_from.addDirection({-1, 0, static_cast<float>(seed)});
   delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100 + seed, seen_from});
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   BorderEvidence evidence;

@@ -1,4 +1,4 @@
-#include "core/tracking/followed_corners.h"
+#include "core/tracking/tracked_corners.h"
 
 #include <algorithm>
 #include <functional>
@@ -63,8 +63,8 @@ std::vector<cv::Mat> pyramidOf(const cv::Mat& image) {
 
 }  // namespace
 
-SeenLandmarks followCorners(const GrayView& last, const SurfaceInView& surface, const GrayView& now,
-                            const Eigen::Isometry3d& T_world_color) {
+SeenLandmarks trackCorners(const GrayView& last, const SurfaceInView& surface, const GrayView& now,
+                           const Eigen::Isometry3d& T_world_color) {
   SeenLandmarks seen;
   seen.K = now.K;
   seen.T_color_depth = now.T_color_depth;

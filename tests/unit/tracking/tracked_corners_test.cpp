@@ -1,4 +1,4 @@
-#include "core/tracking/followed_corners.h"
+#include "core/tracking/tracked_corners.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST(FollowCorners, IsAccurateToAFractionOfAPixel_AtLowAndHighContrast) {
     const Eigen::Isometry3d after = pose(0.5, -1, 1, 0.02, 0.01, -0.01);
     const GrayView last = wallFrom(before, contrast);
     const SurfaceInView surface(kWallCamera, before, wallSurface(before));
-    const SeenLandmarks seen = followCorners(last, surface, wallFrom(after, contrast), before);
+    const SeenLandmarks seen = trackCorners(last, surface, wallFrom(after, contrast), before);
     EXPECT_GT(seen.pixels.size(), 100U);
     EXPECT_GT(seen.cells(), 35);
     EXPECT_LT(seen.errorPx(after), 0.3);
@@ -77,12 +77,12 @@ TEST(FollowCorners, FindsFewOrNone_WhenTheImageDiffers) {
   const Eigen::Isometry3d here = pose(0, 0, 0, 0, 0, 0);
   const SurfaceInView surface(kWallCamera, here, wallSurface(here));
   const GrayView last = wallFrom(here, 8);
-  const SeenLandmarks elsewhere = followCorners(last, surface, wallFrom(pose(0, 0, 0, 1.2, 0, 0), 8), here);
+  const SeenLandmarks elsewhere = trackCorners(last, surface, wallFrom(pose(0, 0, 0, 1.2, 0, 0), 8), here);
   EXPECT_LT(elsewhere.pixels.size(), 30U);
   GrayView dark = last;
   dark.image = cv::Mat::zeros(480, 640, CV_8UC1);
-  EXPECT_TRUE(followCorners(last, surface, dark, here).pixels.empty());
-  EXPECT_TRUE(followCorners(GrayView{}, surface, last, here).pixels.empty());
+  EXPECT_TRUE(trackCorners(last, surface, dark, here).pixels.empty());
+  EXPECT_TRUE(trackCorners(GrayView{}, surface, last, here).pixels.empty());
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Surface with readings behind it has gone: lowers its weight, so that the next frames decide.
-// For each pixel under the mask with a reading behind the map's surface by more than apart_m, all voxels next to the ray within
-// reach of that surface keep a weight of at most DOUBTED.
-// One work-item: one pixel of the surface, which is as large as the launch. Work-items may meet in a voxel; all write the same.
+// For each pixel under the mask with a reading behind the map's surface by more than apart_m, all voxels next
+// to the ray within reach of that surface keep a weight of at most MISMATCH_WEIGHT. One work-item: one pixel
+// of the surface, which is as large as the launch. Work-items may meet in a voxel; all write the same.
 //   mask         mask_width * mask_height, as in leave_out_moving
 //   readings     camera frame, w = 0: none; vertices: world, w = 0: no surface
 //   apart        (metres, metres per z^2), z the reading's
@@ -9,12 +9,13 @@
 #include "core/compute/kernels/common.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
 
-#define DOUBTED 2 /* observations */
+#define MISMATCH_WEIGHT 2 /* observations */
 
-kernel void doubt_surface(global const uchar* mask, const int mask_width, const int mask_height,
-                          global const float4* readings, global const float4* vertices, const float16 T_camera_world,
-                          const float4 eye, const float2 apart, const float voxel_size, const float reach,
-                          global const BrickEntry* table, const uint table_mask, global uchar* weights) {
+kernel void mark_mismatch(global const uchar* mask, const int mask_width, const int mask_height,
+                          global const float4* readings, global const float4* vertices,
+                          const float16 T_camera_world, const float4 eye, const float2 apart,
+                          const float voxel_size, const float reach, global const BrickEntry* table,
+                          const uint table_mask, global uchar* weights) {
   const int column = (int)get_global_id(0);
   const int row = (int)get_global_id(1);
   const int width = (int)get_global_size(0);
@@ -35,10 +36,11 @@ kernel void doubt_surface(global const uchar* mask, const int mask_width, const 
     const int3 first = convert_int3(floor(p));
     for (int corner = 0; corner < 8; ++corner) {
       const int3 v = first + (int3)(corner & 1, (corner >> 1) & 1, corner >> 2);
-      const int slot = find_brick(table, table_mask, v.x >> BRICK_SHIFT, v.y >> BRICK_SHIFT, v.z >> BRICK_SHIFT);
+      const int slot =
+          find_brick(table, table_mask, v.x >> BRICK_SHIFT, v.y >> BRICK_SHIFT, v.z >> BRICK_SHIFT);
       if (slot == BRICK_NONE) continue;
       global uchar* weight = weights + slot * BRICK_VOXELS + (v.x & 7) + 8 * ((v.y & 7) + 8 * (v.z & 7));
-      if (*weight > DOUBTED) *weight = DOUBTED;
+      if (*weight > MISMATCH_WEIGHT) *weight = MISMATCH_WEIGHT;
     }
   }
 }
