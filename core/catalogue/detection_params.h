@@ -4,10 +4,10 @@ namespace scantrove {
 
 /// Recognition of candidates against the catalogue (thesis 5.2).
 struct DetectionParams {
-  /// Threshold on the warped SSD of normalised thumbnails relative to their energy (0 = same, 2 =
-  /// unrelated) plus the squared difference of mean Lab colours / 40. On crops of a real kitchen (36
-  /// objects, a view every 20 degrees) 0.5 recognises 46 % of single views, 0.5 % wrongly; 0.6 recognises
-  /// 54 %, 3 % wrongly. A wrong name costs more than none.
+  /// Maximum distance of two thumbnails. The distance is the warped SSD of the normalised thumbnails relative
+  /// to their energy (0 = same, 2 = unrelated), plus the squared difference of mean Lab colours / 40.
+  /// Measured on crops of a real kitchen (36 objects, a view every 20 degrees): 0.5 recognises 46 % of single
+  /// views, 0.5 % wrongly. 0.6 recognises 54 %, 3 % wrongly. A wrong name costs more than none.
   float max_distance = 0.5F;
   int shortlist = 16;            ///< candidates left after pruning by principal components
   float size_tolerance = 0.35F;  ///< maximum relative difference of the oriented boxes' diagonals

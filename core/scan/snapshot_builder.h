@@ -24,7 +24,7 @@ struct ScanProgress {
 };
 
 /// Builds the snapshots of one scan. Works only when the window has taken the last one and enough time has
-/// passed, and sends a bounded number of label-cloud bricks each time, in the order of WaitingBricks. One
+/// passed. Each snapshot has a bounded number of label-cloud bricks, in the order of WaitingBricks. One
 /// thread, the worker's.
 class SnapshotBuilder {
  public:
