@@ -11,18 +11,19 @@
 
 namespace scantrove::test {
 
-/// Takes commands as a ScanWorker does, writes them down, and reports what the test says: events by the
-/// listener, snapshots by the mailbox.
+/// Takes commands as a ScanWorker does, records them, and reports as the test requests: events through the
+/// listener, snapshots through the mailbox.
 class ScriptedWorker {
  public:
   explicit ScriptedWorker(ScanListener listener) : listener_(std::move(listener)) {}
 
-  /// A factory of ports that lets the test reach the newest worker by `worker`.
+  /// A factory of ports that sets `worker` to the newest worker.
   static ScanPortFactory factory(ScriptedWorker*& worker) {
     return [&worker](ScanListener listener) -> ScanPort {
-      const auto made = std::make_shared<ScriptedWorker>(std::move(listener));
-      worker = made.get();
-      return {[made](ScanCommand command) { made->take(std::move(command)); }, {made, &made->snapshots_}};
+      const auto created = std::make_shared<ScriptedWorker>(std::move(listener));
+      worker = created.get();
+      return {[created](ScanCommand command) { created->take(std::move(command)); },
+              {created, &created->snapshots_}};
     };
   }
 
@@ -36,7 +37,7 @@ class ScriptedWorker {
     enter(ScanState::finished);
   }
 
-  std::vector<std::string> commands;  ///< that have no list of their own
+  std::vector<std::string> commands;  ///< those without a list below
   ScanRequest last_request;
   ScanParams last_params;
   int catalogue_changes = 0;

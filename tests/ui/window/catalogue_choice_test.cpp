@@ -14,7 +14,7 @@ namespace {
 
 class CatalogueChoiceTest : public test::WindowTest {
  protected:
-  /// A saved scan that knows its catalogue, and nothing else.
+  /// A saved scan with the path of its catalogue only.
   QString savedScanWith(const QString& catalogue) {
     const QString folder = folder_.filePath(QStringLiteral("scan"));
     const auto store = SessionStore::create(folder.toStdString());
@@ -45,7 +45,7 @@ TEST_F(CatalogueChoiceTest, IsRememberedAndShown_AfterARestart) {
   EXPECT_EQ(usedByScans(), kitchen.toStdString());
 }
 
-TEST_F(CatalogueChoiceTest, FallsBackAndSaysSo_WhenTheFileIsMissing) {
+TEST_F(CatalogueChoiceTest, FallsBackToTheDefaultAndReportsIt_WhenTheFileIsMissing) {
   const QString kitchen = emptyCatalogue();
   window_->openCatalogue(kitchen);
   window_.reset();
@@ -54,21 +54,21 @@ TEST_F(CatalogueChoiceTest, FallsBackAndSaysSo_WhenTheFileIsMissing) {
   EXPECT_EQ(usedByScans(), defaultCatalogueFile().toStdString());
   EXPECT_TRUE(window_->parts().messages->text().contains(kitchen))
       << window_->parts().messages->text().toStdString();
-  EXPECT_FALSE(QFile::exists(kitchen)) << "no empty one in its place";
+  EXPECT_FALSE(QFile::exists(kitchen)) << "no empty catalogue is made";
 }
 
-TEST_F(CatalogueChoiceTest, ASavedScanShowsItsOwnObjects_UntilItIsClosed) {
+TEST_F(CatalogueChoiceTest, SavedScanShowsItsOwnCatalogue_UntilItIsClosed) {
   const QString kitchen = emptyCatalogue();
   window_->openSession(savedScanWith(kitchen));
   EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
   EXPECT_EQ(list()->model()->rowCount(), 0);
-  EXPECT_EQ(usedByScans(), file_.toStdString()) << "a new scan writes where the person chose";
+  EXPECT_EQ(usedByScans(), file_.toStdString()) << "a new scan uses the chosen catalogue";
   window_->closeScan();
   EXPECT_EQ(shownName(), QStringLiteral("catalogue.sqlite"));
   EXPECT_EQ(list()->model()->rowCount(), 3);
 }
 
-TEST_F(CatalogueChoiceTest, ASavedScanShowsNoObjects_WhenItsCatalogueIsMissing) {
+TEST_F(CatalogueChoiceTest, SavedScanShowsNoObjects_WhenItsCatalogueIsMissing) {
   const QString missing = folder_.filePath(QStringLiteral("gone.sqlite"));
   window_->openSession(savedScanWith(missing));
   EXPECT_EQ(list()->model()->rowCount(), 0);
@@ -79,11 +79,11 @@ TEST_F(CatalogueChoiceTest, ASavedScanShowsNoObjects_WhenItsCatalogueIsMissing) 
   EXPECT_EQ(list()->model()->rowCount(), 3) << "a new scan shows the chosen catalogue";
 }
 
-TEST_F(CatalogueChoiceTest, AScanKeepsItsCatalogue_WhenAnotherIsChosen) {
+TEST_F(CatalogueChoiceTest, RunningScanKeepsItsCatalogue_WhenAnotherIsChosen) {
   window_->open(QStringLiteral("demo"));
   const QString kitchen = emptyCatalogue();
   window_->openCatalogue(kitchen);
-  EXPECT_EQ(list()->model()->rowCount(), 3) << "those that the scan's numbers mean";
+  EXPECT_EQ(list()->model()->rowCount(), 3) << "the object ids of the scan are of this catalogue";
   EXPECT_TRUE(window_->parts().messages->text().contains(kitchen));
   window_->closeScan();
   EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));

@@ -45,7 +45,7 @@ class CatalogueTest : public testing::Test {
     }
   }
 
-  /// What another program would read from the file now.
+  /// The record that another program would read from the file.
   [[nodiscard]] ObjectRecord stored(ObjectId object) const {
     auto database = ObjectDatabase::open(file_.toStdString());
     if (!database) return {};

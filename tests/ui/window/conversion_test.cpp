@@ -15,14 +15,14 @@ TEST(ImageConversion, ColorKeepsChannelsAndSharesPixels) {
   {
     cv::Mat bgr(3, 5, CV_8UC3, cv::Scalar(10, 20, 30));
     picture = colorPicture(bgr);
-  }  // the picture keeps the pixels alive
+  }  // the picture shares ownership of the pixels
   ASSERT_EQ(picture.size(), QSize(5, 3));
   EXPECT_EQ(picture.pixelColor(4, 2), QColor(30, 20, 10));
   EXPECT_TRUE(colorPicture({}).isNull());
   EXPECT_TRUE(colorPicture(cv::Mat(2, 2, CV_8UC1)).isNull());
 }
 
-TEST(ImageConversion, DepthIsWarmWhenNearAndDarkWithoutReading) {
+TEST(ImageConversion, DepthIsRedWhenNear_BlueWhenFar_DarkWithoutReading) {
   cv::Mat depth(1, 5, CV_32FC1);
   depth.at<float>(0) = 0;
   depth.at<float>(1) = std::numeric_limits<float>::quiet_NaN();
@@ -46,11 +46,11 @@ TEST(ImageConversion, RangeIgnoresMissingReadingsAndOutliers) {
   const DepthRange range = usualRange(depth, {});
   EXPECT_NEAR(range.near_m, 1.0F, 0.06F);
   EXPECT_NEAR(range.far_m, 2.0F, 0.06F);
-  const DepthRange kept = usualRange(cv::Mat(), {0.7F, 5});
-  EXPECT_EQ(kept.near_m, 0.7F);
+  const DepthRange unchanged = usualRange(cv::Mat(), {0.7F, 5});
+  EXPECT_EQ(unchanged.near_m, 0.7F);
 }
 
-TEST(ImageConversion, RegionsHaveThePaletteOfThe3DView) {
+TEST(ImageConversion, RegionsHaveTheColorsOfThe3DView) {
   cv::Mat regions(4, 4, CV_32SC1, cv::Scalar(17));
   regions.at<int>(0, 0) = 0;
   const QImage picture = regionPicture(regions);
@@ -59,7 +59,7 @@ TEST(ImageConversion, RegionsHaveThePaletteOfThe3DView) {
   EXPECT_LT(picture.pixelColor(0, 0).lightness(), 40);
 }
 
-TEST(ParseIntrinsics, TakesFourNumbersOnly) {
+TEST(ParseIntrinsics, AcceptsFourPositiveNumbersOnly) {
   const auto K = parseIntrinsics(QStringLiteral(" 585, 586,320 , 240.5"));
   ASSERT_TRUE(K);
   EXPECT_FLOAT_EQ(K->fx, 585);

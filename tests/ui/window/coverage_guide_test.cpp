@@ -1,4 +1,4 @@
-// What the window says of the sides from which things were seen.
+// The guide in the window to sides of an object that were not seen.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -12,9 +12,9 @@
 namespace scantrove::test {
 namespace {
 
-constexpr RegionId kThing{5};
+constexpr RegionId kRegion{5};
 
-/// A thing of 5 cm, 1.5 m ahead of a level camera at the origin (y down) that looks along +z.
+/// A region of 5 cm, 1.5 m before a level camera at the origin (y down) that looks along +z.
 class CoverageGuideTest : public WindowTest {
  protected:
   void SetUp() override {
@@ -23,16 +23,16 @@ class CoverageGuideTest : public WindowTest {
     fromInFront_.addDirection({0, 0, -1});
   }
 
-  ScanSnapshot thingSeen(int frame, const ViewCoverage& from, const RegionNote& note = {}) {
+  ScanSnapshot regionSeen(int frame, const ViewCoverage& from, const RegionNote& note = {}) {
     ScanSnapshot snapshot = snapshotOf(frame);
-    snapshot.changed_regions = {{FragmentId{1}, kThing}};
+    snapshot.changed_regions = {{FragmentId{1}, kRegion}};
     snapshot.region_infos = std::make_shared<const RegionInfos>(RegionInfos{
-        {.region = kThing, .voxels = 4000, .note = note, .object = objects_.front(), .seen_from = from}});
+        {.region = kRegion, .voxels = 4000, .note = note, .object = objects_.front(), .seen_from = from}});
     CloudBrick brick{Eigen::Vector3i(0, 0, 32), static_cast<std::uint64_t>(frame) + 1, {}};
     for (int i = 0; i < 64; ++i) {
       const Eigen::Vector3f in_brick(Eigen::Vector3i(i % 8, i / 8, 0).cast<float>().array() + 0.5F);
-      const Eigen::Vector3f place = (brick.position.cast<float>() * 8 + in_brick) * 3 / 512;
-      brick.points.push_back({place.x(), place.y(), place.z(), FragmentId{1}, {}, 0, {}});
+      const Eigen::Vector3f point = (brick.position.cast<float>() * 8 + in_brick) * 3 / 512;
+      brick.points.push_back({point.x(), point.y(), point.z(), FragmentId{1}, {}, 0, {}});
     }
     snapshot.changed_bricks.push_back(brick);
     return snapshot;
@@ -58,21 +58,21 @@ ViewCoverage fromAllAround() {
   return coverage;
 }
 
-TEST_F(CoverageGuideTest, AnArrowLeadsToASideThatWasNotSeen) {
-  show(thingSeen(1, fromInFront_));
+TEST_F(CoverageGuideTest, ArrowPointsToAnUnseenSide) {
+  show(regionSeen(1, fromInFront_));
   EXPECT_FALSE(guide().shown());
-  window_->regions().selection().select(kThing);
+  window_->regions().selection().select(kRegion);
   ASSERT_TRUE(guide().shown());
   EXPECT_GE(guide().shown()->count(), 1);
-  EXPECT_LE(guide().shown()->count(), 3);  // one look
+  EXPECT_LE(guide().shown()->count(), 3);  // covered by one view
   ASSERT_TRUE(guide().leadsTo());
   EXPECT_FALSE(fromInFront_.covers(*guide().leadsTo()));
-  EXPECT_LT(guide().leadsTo()->y(), 0);  // from above the thing, not from under it
+  EXPECT_LT(guide().leadsTo()->y(), 0);  // from above, not from below
 }
 
-TEST_F(CoverageGuideTest, TheArrowIsLabeledWhereItIsInThePicture) {
-  show(thingSeen(1, fromInFront_));
-  window_->regions().selection().select(kThing);
+TEST_F(CoverageGuideTest, ArrowHasALabelInThePicture) {
+  show(regionSeen(1, fromInFront_));
+  window_->regions().selection().select(kRegion);
   window_->parts().scene->view()->scene().viewpoint().lookAt({0, -2, -3}, {0, 0, 1.5F});
   window_->parts().scene->view()->drawing().redraw();
   ASSERT_TRUE(QTest::qWaitFor([&] { return overlay()->mark().has_value(); }, 4000));
@@ -81,36 +81,36 @@ TEST_F(CoverageGuideTest, TheArrowIsLabeledWhereItIsInThePicture) {
   EXPECT_FALSE(overlay()->mark());
 }
 
-TEST_F(CoverageGuideTest, WhatWasSeenFromAllSidesIsCompleteAndNeedsNoArrow) {
-  show(thingSeen(1, fromAllAround()));
-  window_->regions().selection().select(kThing);
+TEST_F(CoverageGuideTest, HasNoArrow_WhenAllSidesWereSeen) {
+  show(regionSeen(1, fromAllAround()));
+  window_->regions().selection().select(kRegion);
   ASSERT_TRUE(guide().shown());
   EXPECT_TRUE(guide().shown()->isComplete());
   EXPECT_FALSE(guide().leadsTo());
 }
 
-TEST_F(CoverageGuideTest, LooksThatComeWhileItIsSelectedCount) {
-  show(thingSeen(1, fromInFront_));
-  window_->regions().selection().select(kThing);
+TEST_F(CoverageGuideTest, CountsNewViews_WhileTheRegionIsSelected) {
+  show(regionSeen(1, fromInFront_));
+  window_->regions().selection().select(kRegion);
   const int before = guide().shown()->count();
   ViewCoverage more = fromInFront_;
   more.addDirection({1, 0, 0});
-  show(thingSeen(2, more));
+  show(regionSeen(2, more));
   EXPECT_GT(guide().shown()->count(), before);
 }
 
-TEST_F(CoverageGuideTest, BackgroundIsNothingToWalkAround) {
+TEST_F(CoverageGuideTest, ShowsNothing_ForBackground) {
   RegionNote wall;
   wall.background = true;
-  show(thingSeen(1, fromInFront_, wall));
-  window_->regions().selection().select(kThing);
+  show(regionSeen(1, fromInFront_, wall));
+  window_->regions().selection().select(kRegion);
   EXPECT_FALSE(guide().shown());
   EXPECT_FALSE(guide().leadsTo());
 }
 
-TEST_F(CoverageGuideTest, TheArrowCanBeSwitchedOffAndThatIsRemembered) {
-  show(thingSeen(1, fromInFront_));
-  window_->regions().selection().select(kThing);
+TEST_F(CoverageGuideTest, ArrowCanBeSwitchedOff_AndThatIsRemembered) {
+  show(regionSeen(1, fromInFront_));
+  window_->regions().selection().select(kRegion);
   ASSERT_TRUE(guide().leadsTo());
   guide().action()->trigger();
   EXPECT_FALSE(guide().leadsTo());
@@ -120,8 +120,8 @@ TEST_F(CoverageGuideTest, TheArrowCanBeSwitchedOffAndThatIsRemembered) {
   EXPECT_TRUE(guide().leadsTo());
 }
 
-TEST_F(CoverageGuideTest, ObjectsOfTheScanHaveRingsInTheList) {
-  show(thingSeen(1, fromAllAround()));
+TEST_F(CoverageGuideTest, ListShowsRings_ForObjectsOfTheScan) {
+  show(regionSeen(1, fromAllAround()));
   const QVariant seen = rowOf(objects_[0]).data(ObjectListModel::SeenSidesRole);
   ASSERT_TRUE(seen.isValid());
   EXPECT_TRUE(seen.value<SeenSides>().isComplete());

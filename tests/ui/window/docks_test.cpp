@@ -24,13 +24,13 @@ class DocksTest : public test::WindowTest {
   QDockWidget* dock(const char* name) { return window_->findChild<QDockWidget*>(QString::fromLatin1(name)); }
 
   void resizeWindow(int width, int height) {
-    window_->resize(width, height);  // as low as the panels allow
+    window_->resize(width, height);  // the height is at least what the panels need
     ASSERT_TRUE(QTest::qWaitFor([&] { return window_->width() == width; }, 3000)) << window_->width();
     QTest::qWait(100);
   }
 };
 
-TEST_F(DocksTest, EachClosesAndComesBackByMenuAndByKey) {
+TEST_F(DocksTest, MenuAndKeyCloseAndReopenEachDock) {
   const std::map<const char*, Qt::Key> keys = {
       {"objectsDock", Qt::Key_1}, {"framesDock", Qt::Key_2}, {"settingsDock", Qt::Key_3}};
   for (const auto& [name, key] : keys) {
@@ -47,7 +47,7 @@ TEST_F(DocksTest, EachClosesAndComesBackByMenuAndByKey) {
   }
 }
 
-TEST_F(DocksTest, HaveTheirWidthAgainAfterTheWindowWasSmall) {
+TEST_F(DocksTest, WidthsAreRestored_AfterTheWindowWasSmall) {
   const int objects = dock("objectsDock")->width();
   const int frames = dock("framesDock")->width();
   resizeWindow(700, 500);
@@ -57,15 +57,15 @@ TEST_F(DocksTest, HaveTheirWidthAgainAfterTheWindowWasSmall) {
   EXPECT_EQ(dock("framesDock")->width(), frames);
 }
 
-TEST_F(DocksTest, FoldIntoTabs_OnASmallScreen) {
+TEST_F(DocksTest, DocksBecomeTabs_OnASmallScreen) {
   EXPECT_TRUE(window_->tabifiedDockWidgets(dock("objectsDock")).isEmpty());
   window_->docks().arrangeFor({683, 384});
   QTest::qWait(100);
   EXPECT_EQ(window_->tabifiedDockWidgets(dock("objectsDock")).size(), 3);
   resizeWindow(683, 384);
-  EXPECT_EQ(window_->height(), 384) << "it fits the screen";
+  EXPECT_EQ(window_->height(), 384) << "the window fits the screen";
   EXPECT_GT(window_->centralWidget()->width(), 300);
-  window_->docks().arrangeFor({800, 500});  // 1600 x 1000 at twice the size
+  window_->docks().arrangeFor({800, 500});  // 1600 x 1000 pixels at scale 2
   QTest::qWait(100);
   resizeWindow(800, 500);
   EXPECT_EQ(window_->height(), 500);
@@ -74,14 +74,14 @@ TEST_F(DocksTest, FoldIntoTabs_OnASmallScreen) {
   EXPECT_TRUE(window_->tabifiedDockWidgets(dock("framesDock")).isEmpty());
 }
 
-TEST_F(DocksTest, KeepTheWidthThatAPersonGaveThem) {
+TEST_F(DocksTest, WidthsSetByAUserAreKept) {
   const QRect frames = dock("framesDock")->geometry();
-  const QPoint line(frames.left() - 3, frames.center().y());
-  QTest::mousePress(window_.get(), Qt::LeftButton, {}, line);
-  QTest::mouseMove(window_.get(), line + QPoint(40, 0));
-  QTest::mouseMove(window_.get(), line + QPoint(80, 0));
+  const QPoint edge(frames.left() - 3, frames.center().y());
+  QTest::mousePress(window_.get(), Qt::LeftButton, {}, edge);
+  QTest::mouseMove(window_.get(), edge + QPoint(40, 0));
+  QTest::mouseMove(window_.get(), edge + QPoint(80, 0));
   QTest::qWait(100);
-  QTest::mouseRelease(window_.get(), Qt::LeftButton, {}, line + QPoint(80, 0));
+  QTest::mouseRelease(window_.get(), Qt::LeftButton, {}, edge + QPoint(80, 0));
   QTest::qWait(100);
   const int requested = dock("framesDock")->width();
   EXPECT_NEAR(requested, frames.width() - 80, 4);
@@ -97,7 +97,7 @@ TEST_F(DocksTest, KeepTheWidthThatAPersonGaveThem) {
   EXPECT_EQ(dock("framesDock")->width(), frames.width());
 }
 
-TEST_F(DocksTest, WhatWasClosedStaysClosedAfterARestart) {
+TEST_F(DocksTest, ClosedDockStaysClosed_AfterARestart) {
   dock("settingsDock")->close();
   window_->close();
   restart();

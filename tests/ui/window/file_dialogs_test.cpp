@@ -20,9 +20,9 @@
 namespace scantrove {
 namespace {
 
-using FileDialogs = test::CatalogueTest;
+using FileDialogsTest = test::CatalogueTest;
 
-/// Files of a folder that anyone opened, by name.
+/// Records the names of the files in a folder that any process opens.
 class OpenedFiles {
  public:
   explicit OpenedFiles(const QString& folder) : watch_(::inotify_init1(IN_NONBLOCK)) {
@@ -50,7 +50,7 @@ class OpenedFiles {
   int watch_;
 };
 
-TEST_F(FileDialogs, OpenNoFileOfTheFolderTheyShow) {
+TEST_F(FileDialogsTest, OpensNoFileOfTheShownFolder) {
   const auto in_use = ObjectDatabase::open(file_.toStdString());
   ASSERT_TRUE(in_use);
   OpenedFiles opened(folder_.path());
@@ -66,9 +66,9 @@ TEST_F(FileDialogs, OpenNoFileOfTheFolderTheyShow) {
   EXPECT_EQ(opened.names(), std::vector<std::string>{});
 }
 
-class CompletionList : public testing::TestWithParam<ThemeChoice> {};
+class CompletionListTest : public testing::TestWithParam<ThemeChoice> {};
 
-TEST_P(CompletionList, IsReadable) {
+TEST_P(CompletionListTest, TextContrastsWithAnOpaqueBackground) {
   const ThemeChoice before = Theme::instance().choice();
   Theme::instance().choose(GetParam());
   QMainWindow window;
@@ -87,15 +87,15 @@ TEST_P(CompletionList, IsReadable) {
   QTest::qWait(50);
   const QRect row = list->visualRect(list->model()->index(1, 0));
   const QImage image = list->viewport()->grab().toImage().convertToFormat(QImage::Format_ARGB32);
-  const QColor ground = image.pixelColor(row.right() - 4, row.center().y());
+  const QColor background = image.pixelColor(row.right() - 4, row.center().y());
   const int text = list->palette().color(QPalette::Text).lightness();
-  EXPECT_EQ(ground.alpha(), 255) << "nothing shines through";
-  EXPECT_GT(std::abs(ground.lightness() - text), 100);
+  EXPECT_EQ(background.alpha(), 255) << "opaque";
+  EXPECT_GT(std::abs(background.lightness() - text), 100);
   list->hide();
   Theme::instance().choose(before);
 }
 
-INSTANTIATE_TEST_SUITE_P(Themes, CompletionList, testing::Values(ThemeChoice::light, ThemeChoice::dark));
+INSTANTIATE_TEST_SUITE_P(Themes, CompletionListTest, testing::Values(ThemeChoice::light, ThemeChoice::dark));
 
 }  // namespace
 }  // namespace scantrove

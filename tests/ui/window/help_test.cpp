@@ -13,7 +13,7 @@ namespace {
 
 using test::WindowTest;
 
-/// The keys that the dialog names, each by itself: "Alt+1 ... Alt+3" are three.
+/// The keys listed in the dialog; "Alt+1 … Alt+3" gives three.
 std::set<QString> keysIn(const HelpDialog& help) {
   static const QRegularExpression between(QStringLiteral(", (?:then )?| and "));
   static const QRegularExpression range(QStringLiteral("^(.*)(\\d) … \\1(\\d)$"));
@@ -30,7 +30,7 @@ std::set<QString> keysIn(const HelpDialog& help) {
   return keys;
 }
 
-/// Qt's names for keys are not those on the keys; and some actions have keys that need no mention.
+/// The label on a key; Qt's names differ.
 QString nameOf(const QKeySequence& sequence) {
   const QString name = sequence.toString(QKeySequence::PortableText);
   if (name == QStringLiteral("PgUp")) return QStringLiteral("Page up");
@@ -39,7 +39,7 @@ QString nameOf(const QKeySequence& sequence) {
   return name == QStringLiteral("-") ? QStringLiteral("−") : name;
 }
 
-TEST_F(WindowTest, TheHelpNamesEveryKey) {
+TEST_F(WindowTest, HelpListsTheKeysOfAllActions) {
   const HelpDialog help;
   const std::set<QString> named = keysIn(help);
   int actions = 0;
@@ -57,7 +57,7 @@ TEST_F(WindowTest, TheHelpNamesEveryKey) {
   EXPECT_GT(actions, 40);
 }
 
-TEST_F(WindowTest, TheHelpFitsTheScreenAndScrolls) {
+TEST_F(WindowTest, HelpFitsTheScreen_AndScrolls) {
   HelpDialog help(window_.get());
   help.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));

@@ -9,7 +9,7 @@
 #include "ui/theme/theme.h"
 
 int main(int argc, char** argv) {
-  // Neither the person's settings nor their catalogue are touched.
+  // Keeps the user's settings and catalogue unchanged.
   const QTemporaryDir home;
   for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"}) {
     qputenv(variable, home.path().toLocal8Bit());

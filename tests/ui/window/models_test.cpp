@@ -16,7 +16,7 @@ class CatalogueEditorTest : public test::CatalogueTest {
   CatalogueEditor editor_{history_};
 };
 
-TEST_F(CatalogueEditorTest, RenameIsStoredAtOnceAndUndone) {
+TEST_F(CatalogueEditorTest, RenameIsStoredAndUndone) {
   ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("  Green cup ")));
   EXPECT_EQ(stored(objects_[1]).name, "Green cup");
   history_.stack().undo();
@@ -25,7 +25,7 @@ TEST_F(CatalogueEditorTest, RenameIsStoredAtOnceAndUndone) {
   EXPECT_EQ(stored(objects_[1]).name, "Green cup");
 }
 
-TEST_F(CatalogueEditorTest, RefusedRenameIsAnnouncedAndLeavesNothingToUndo) {
+TEST_F(CatalogueEditorTest, RefusedRenameIsReported_AndIsNoUndoStep) {
   QSignalSpy failures(&editor_, &CatalogueEditor::failed);
   EXPECT_FALSE(editor_.rename(objects_[1], QStringLiteral("Obj_1")));
   EXPECT_FALSE(editor_.rename(objects_[1], QStringLiteral("   ")));
@@ -34,7 +34,7 @@ TEST_F(CatalogueEditorTest, RefusedRenameIsAnnouncedAndLeavesNothingToUndo) {
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
 }
 
-TEST_F(CatalogueEditorTest, SeveralAreDeletedMergedAndConfirmedInOneStepEach) {
+TEST_F(CatalogueEditorTest, DeletesMergesAndConfirmsSeveralInOneStep) {
   QUndoStack& undo = history_.stack();
   ASSERT_TRUE(editor_.remove({objects_[0], objects_[2]}));
   EXPECT_EQ(storedCount(), 1U);
@@ -54,7 +54,7 @@ TEST_F(CatalogueEditorTest, SeveralAreDeletedMergedAndConfirmedInOneStepEach) {
   EXPECT_EQ(stored(objects_[1]).views, 3);
   undo.undo();
 
-  // Undo gives back what each was.
+  // Undo restores the state of each object.
   ASSERT_TRUE(editor_.setConfirmed({objects_[2]}, true));
   const int steps = undo.index();
   ASSERT_TRUE(editor_.setConfirmed(objects_, true));
@@ -66,14 +66,14 @@ TEST_F(CatalogueEditorTest, SeveralAreDeletedMergedAndConfirmedInOneStepEach) {
   EXPECT_TRUE(stored(objects_[2]).confirmed);
 }
 
-TEST_F(CatalogueEditorTest, ARenameTakenBackIsNoNameOfAPerson) {
+TEST_F(CatalogueEditorTest, UndoneRenameIsNoNameByAUser) {
   ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("Cup")));
   EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::person);
   history_.stack().undo();
   EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::program);
 }
 
-TEST_F(CatalogueEditorTest, SaysOnceWhatOthersDid) {
+TEST_F(CatalogueEditorTest, ReportsChangesByOthersOnce) {
   auto other = ObjectDatabase::open(file_.toStdString());
   ASSERT_TRUE(other);
   QSignalSpy changes(&editor_, &CatalogueEditor::changed);
@@ -83,19 +83,19 @@ TEST_F(CatalogueEditorTest, SaysOnceWhatOthersDid) {
   editor_.poll();
   editor_.poll();
   ASSERT_EQ(changes.count(), 1);
-  const auto said = changes[0][0].value<CatalogueChanges>();
-  ASSERT_EQ(said.changes.size(), 1U);
-  EXPECT_EQ(said.changes[0].object(), objects_[1]);
+  const auto reported = changes[0][0].value<CatalogueChanges>();
+  ASSERT_EQ(reported.changes.size(), 1U);
+  EXPECT_EQ(reported.changes[0].object(), objects_[1]);
 }
 
-TEST_F(CatalogueEditorTest, KeepsTheOpenCatalogueWhenAnotherCannotBeOpened) {
+TEST_F(CatalogueEditorTest, KeepsTheOpenCatalogue_WhenAnotherCannotBeOpened) {
   const Result<void> opened = editor_.open(QStringLiteral("/proc/scantrove/none.sqlite"));
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message().find("/proc/scantrove"), std::string::npos);
   EXPECT_EQ(editor_.objects().size(), 3U);
 }
 
-TEST_F(CatalogueEditorTest, ModelListsNewestLastWithPictures) {
+TEST_F(CatalogueEditorTest, ModelListsNewestLast_WithPictures) {
   ObjectListModel model(editor_);
   ASSERT_EQ(model.rowCount(), 3);
   EXPECT_EQ(model.objectAt(model.index(2)), objects_[2]);
@@ -138,26 +138,26 @@ TEST_F(CatalogueEditorTest, ModelFollowsTheDatabaseRowByRow) {
   EXPECT_EQ(resets.count(), 0);
 }
 
-TEST_F(CatalogueEditorTest, ModelHandsOverFromAMergedRowWhileBothAreThere) {
+TEST_F(CatalogueEditorTest, ModelSignalsAMerge_WhileBothRowsExist) {
   ObjectListModel model(editor_);
-  int told = 0;
+  int merges = 0;
   QObject::connect(&model, &ObjectListModel::merged, [&](ObjectId into, ObjectId from) {
-    ++told;
+    ++merges;
     EXPECT_TRUE(model.indexOf(into).isValid());
     EXPECT_TRUE(model.indexOf(from).isValid());
     EXPECT_EQ(into, objects_[1]);
   });
   ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("Cup")));
   ASSERT_TRUE(editor_.merge({objects_[0], objects_[1]}));
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(merges, 1);
   EXPECT_EQ(model.rowCount(), 2);
   EXPECT_EQ(model.record(objects_[1])->views, 2);
   history_.stack().undo();
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(merges, 1);
   EXPECT_EQ(model.rowCount(), 3);
 }
 
-TEST_F(CatalogueEditorTest, ModelKnowsWhatIsInView) {
+TEST_F(CatalogueEditorTest, ModelMarksObjectsInView) {
   ObjectListModel model(editor_);
   SeenObject seen;
   seen.object = objects_[1];

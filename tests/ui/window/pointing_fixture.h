@@ -24,7 +24,7 @@ class PointingTest : public WindowTest {
     window_->open(QStringLiteral("demo"));
     worker_->report(twoRegions(4));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !panel(4)->picture().isNull(); }, kPatience_ms));
-    // Into the 3D view the scene comes bit by bit.
+    // The 3D view gets the scene in parts.
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return view()->scene().cloud().pointCount() == kPoints; }, kPatience_ms));
   }
@@ -44,9 +44,9 @@ class PointingTest : public WindowTest {
           brick.points.clear();
           for (int i = 0; i < 64; ++i) {
             const Eigen::Vector3f in_brick(Eigen::Vector3i(i % 8, i / 8, 0).cast<float>().array() + 0.5F);
-            const Eigen::Vector3f place = (brick.position.cast<float>() * 8 + in_brick) * 3 / 512;
+            const Eigen::Vector3f point = (brick.position.cast<float>() * 8 + in_brick) * 3 / 512;
             brick.points.push_back(
-                {place.x(), place.y(), place.z(), FragmentId{b == 0 ? 1U : 2U}, {}, 0, {}});
+                {point.x(), point.y(), point.z(), FragmentId{b == 0 ? 1U : 2U}, {}, 0, {}});
           }
           snapshot.changed_bricks.push_back(brick);
         }
@@ -63,15 +63,15 @@ class PointingTest : public WindowTest {
   void clickPicture(std::size_t i, double x, Qt::KeyboardModifiers modifiers = {}) {
     QTest::mouseClick(panel(i), Qt::LeftButton, modifiers, panel(i)->placeOf({x, 0.3}).toPoint());
   }
-  /// Where a region is drawn in the 3D view; null: nowhere.
-  QPoint placeInScene(RegionId region) {
+  /// A pixel of the 3D view inside a region; null: the region is not drawn.
+  QPoint pixelInScene(RegionId region) {
     const cv::Mat& ids = view()->regionIds();
-    cv::Mat is_there = ids == static_cast<int>(region.value);
-    cv::erode(is_there, is_there, {});
-    std::vector<cv::Point> places;
-    cv::findNonZero(is_there, places);
-    if (places.empty()) return {};
-    const cv::Point middle = places[places.size() / 2];
+    cv::Mat mask = ids == static_cast<int>(region.value);
+    cv::erode(mask, mask, {});
+    std::vector<cv::Point> pixels;
+    cv::findNonZero(mask, pixels);
+    if (pixels.empty()) return {};
+    const cv::Point middle = pixels[pixels.size() / 2];
     return {middle.x * view()->width() / ids.cols, middle.y * view()->height() / ids.rows};
   }
   const Operation* lastOperation() {

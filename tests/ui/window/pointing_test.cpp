@@ -20,8 +20,8 @@
 namespace scantrove::test {
 namespace {
 
-TEST_F(PointingTest, ThePointerLightsARegionUpInAllViewsAndSaysItsName) {
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{7}).isNull(); }, kPatience_ms));
+TEST_F(PointingTest, HoverHighlightsARegionInAllViews_AndShowsItsName) {
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !pixelInScene(RegionId{7}).isNull(); }, kPatience_ms));
   QTest::mouseMove(panel(0), panel(0)->placeOf({0.8, 0.3}).toPoint());
   ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{7}; }, kPatience_ms));
   EXPECT_EQ(panel(0)->tag().value(0), QStringLiteral("red cup"));
@@ -34,24 +34,24 @@ TEST_F(PointingTest, ThePointerLightsARegionUpInAllViewsAndSaysItsName) {
   EXPECT_FALSE(window_->parts().scene->overlay()->lit().isNull()) << "the 3D view";
 }
 
-TEST_F(PointingTest, TheSceneIsPointedAtLikeThePictures) {
+TEST_F(PointingTest, SceneClicksSelectRegions_AsInThePictures) {
   view()->fitAll();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{5}).isNull(); }, kPatience_ms));
-  QTest::mouseMove(view(), placeInScene(RegionId{5}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !pixelInScene(RegionId{5}).isNull(); }, kPatience_ms));
+  QTest::mouseMove(view(), pixelInScene(RegionId{5}));
   EXPECT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{5}; }, kPatience_ms));
-  QTest::mouseClick(view(), Qt::LeftButton, {}, placeInScene(RegionId{7}));
+  QTest::mouseClick(view(), Qt::LeftButton, {}, pixelInScene(RegionId{7}));
   EXPECT_EQ(selection().selected(), std::vector{RegionId{7}});
-  QTest::mouseClick(view(), Qt::LeftButton, Qt::ControlModifier, placeInScene(RegionId{5}));
+  QTest::mouseClick(view(), Qt::LeftButton, Qt::ControlModifier, pixelInScene(RegionId{5}));
   EXPECT_EQ(selection().selected(), (std::vector{RegionId{7}, RegionId{5}}));
-  const RegionPoint at = view()->at(placeInScene(RegionId{5}));
+  const RegionPoint at = view()->at(pixelInScene(RegionId{5}));
   ASSERT_TRUE(at.point_world);
   EXPECT_NEAR(at.point_world->z(), 256.5F * 3 / 512, 0.01F);
-  EXPECT_LT(at.point_world->x(), 0) << "the left one";
+  EXPECT_LT(at.point_world->x(), 0) << "region 5 is on the left";
   QTest::mouseClick(view(), Qt::LeftButton, {}, QPoint(3, 3));
-  EXPECT_TRUE(selection().selected().empty()) << "beside everything";
+  EXPECT_TRUE(selection().selected().empty()) << "no region there";
 }
 
-TEST_F(PointingTest, TurningTheViewSelectsNothing) {
+TEST_F(PointingTest, DragInTheSceneKeepsTheSelection) {
   clickPicture(0, 0.2);
   QTest::mousePress(view(), Qt::LeftButton, {}, QPoint(100, 100));
   QTest::mouseMove(view(), QPoint(160, 120));
@@ -59,14 +59,14 @@ TEST_F(PointingTest, TurningTheViewSelectsNothing) {
   EXPECT_EQ(selection().selected(), std::vector{RegionId{5}});
 }
 
-TEST_F(PointingTest, ANameIsTypedInPlaceWhileFramesArrive) {
+TEST_F(PointingTest, TypedNameIsKept_WhileFramesArrive) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_Return);
   ASSERT_TRUE(nameField()->isVisible());
   QTest::keyClicks(nameField(), QStringLiteral("tool/ham"));
   worker_->report(twoRegions(5));
   QTest::qWait(150);
-  QTest::keyClicks(nameField(), QStringLiteral("mer j"));  // J is a letter here
+  QTest::keyClicks(nameField(), QStringLiteral("mer j"));  // J is a letter here, no shortcut
   EXPECT_EQ(nameField()->text(), QStringLiteral("tool/hammer j"));
   EXPECT_TRUE(worker_->edits.empty());
   QTest::keyClick(nameField(), Qt::Key_Return);
@@ -76,7 +76,7 @@ TEST_F(PointingTest, ANameIsTypedInPlaceWhileFramesArrive) {
   EXPECT_EQ(lastOperation()->name, "hammer j");
   EXPECT_EQ(lastOperation()->category, "tool");
   EXPECT_FALSE(nameField()->isVisible());
-  // And again with one key.
+  // The digit 1 repeats the newest name.
   clickPicture(0, 0.8);
   QTest::keyClick(panel(0), Qt::Key_1);
   EXPECT_EQ(worker_->edits.size(), 2U);
@@ -84,7 +84,7 @@ TEST_F(PointingTest, ANameIsTypedInPlaceWhileFramesArrive) {
   EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{7}});
 }
 
-TEST_F(PointingTest, EscapeGivesANameUp) {
+TEST_F(PointingTest, EscapeCancelsANaming) {
   QTest::mouseDClick(panel(0), Qt::LeftButton, {}, panel(0)->placeOf({0.8, 0.3}).toPoint());
   ASSERT_TRUE(nameField()->isVisible());
   EXPECT_EQ(nameField()->text(), QStringLiteral("cup/red cup"));
@@ -94,7 +94,7 @@ TEST_F(PointingTest, EscapeGivesANameUp) {
   EXPECT_TRUE(worker_->edits.empty());
 }
 
-TEST_F(PointingTest, KeysDoWhatTheMenuSaysToWhatIsSelected) {
+TEST_F(PointingTest, KeysEditTheSelectedRegions) {
   clickPicture(0, 0.2);
   clickPicture(0, 0.8, Qt::ControlModifier);
   const std::vector both{RegionId{5}, RegionId{7}};
@@ -116,12 +116,12 @@ TEST_F(PointingTest, KeysDoWhatTheMenuSaysToWhatIsSelected) {
   }
 }
 
-TEST_F(PointingTest, ACutIsTwoClicksAndEscapeTakesItBack) {
+TEST_F(PointingTest, TwoClicksCutARegion_AndEscapeUndoesIt) {
   QTest::keyClick(panel(0), Qt::Key_C);
   EXPECT_FALSE(window_->parts().scene->overlay()->hint().isEmpty());
   clickPicture(0, 0.1);
   clickPicture(0, 0.8);
-  EXPECT_TRUE(worker_->edits.empty()) << "they are two regions already";
+  EXPECT_TRUE(worker_->edits.empty()) << "the clicks are in two regions";
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, kPatience_ms));
   clickPicture(0, 0.4);
   ASSERT_NE(lastOperation(), nullptr);
@@ -138,7 +138,7 @@ TEST_F(PointingTest, ACutIsTwoClicksAndEscapeTakesItBack) {
   EXPECT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits.back()));
 }
 
-TEST_F(PointingTest, StepsAreTakenBackAndDoneAgain) {
+TEST_F(PointingTest, CtrlZAndCtrlYUndoAndRedoAnEdit) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_B);
   EXPECT_EQ(window_->history().stack().undoText(), QStringLiteral("Region 5: background"));
@@ -150,7 +150,7 @@ TEST_F(PointingTest, StepsAreTakenBackAndDoneAgain) {
   EXPECT_TRUE(std::holds_alternative<RedoEdit>(worker_->edits[2]));
 }
 
-TEST_F(PointingTest, UndoFollowsTheOrderOfTimeWhateverHasTheFocus) {
+TEST_F(PointingTest, UndoIsChronological_WhateverHasTheFocus) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_B);
   ASSERT_TRUE(window_->editor().rename(objects_[1], QStringLiteral("cup")));
@@ -172,7 +172,7 @@ TEST_F(PointingTest, UndoFollowsTheOrderOfTimeWhateverHasTheFocus) {
   EXPECT_EQ(window_->parts().actions->redo->text(), QStringLiteral("Redo Region 5: background"));
 }
 
-TEST_F(PointingTest, AnotherScanLeavesTheStepsInTheCatalogue) {
+TEST_F(PointingTest, NewScanKeepsCatalogueStepsOnly) {
   ASSERT_TRUE(window_->editor().rename(objects_[1], QStringLiteral("cup")));
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_B);
@@ -181,7 +181,7 @@ TEST_F(PointingTest, AnotherScanLeavesTheStepsInTheCatalogue) {
   EXPECT_EQ(window_->history().stack().count(), 1);
 }
 
-/// The question that waits for an answer; null: there is none.
+/// The open question about a background region; null: none.
 QMessageBox* questionOf(const QWidget& window) {
   return window.findChild<QMessageBox*>(QStringLiteral("backgroundQuestion"));
 }
@@ -208,7 +208,7 @@ class BackgroundTest : public PointingTest {
   }
 };
 
-TEST_F(BackgroundTest, JoiningIntoItAsksFirst) {
+TEST_F(BackgroundTest, JoinAsksFirst) {
   clickPicture(0, 0.2);
   clickPicture(0, 0.8, Qt::ControlModifier);
   QTest::keyClick(panel(0), Qt::Key_J);
@@ -222,10 +222,10 @@ TEST_F(BackgroundTest, JoiningIntoItAsksFirst) {
   ASSERT_NE(lastOperation(), nullptr);
   EXPECT_EQ(lastOperation()->kind, OperationKind::join);
   EXPECT_EQ(lastOperation()->regions, (std::vector{RegionId{7}, RegionId{5}}))
-      << "the named one keeps its name";
+      << "the named region comes first and keeps its name";
 }
 
-TEST_F(BackgroundTest, NamingItAsksFirst) {
+TEST_F(BackgroundTest, NamingAsksFirst) {
   clickPicture(0, 0.2);
   const auto giveName = [this] {
     QTest::keyClick(panel(0), Qt::Key_Return);
@@ -244,7 +244,7 @@ TEST_F(BackgroundTest, NamingItAsksFirst) {
   EXPECT_EQ(lastOperation()->name, "magazine");
 }
 
-TEST_F(BackgroundTest, TheQuestionEndsWithItsScan) {
+TEST_F(BackgroundTest, QuestionCloses_WithItsScan) {
   clickPicture(0, 0.2);
   clickPicture(0, 0.8, Qt::ControlModifier);
   QTest::keyClick(panel(0), Qt::Key_J);
@@ -254,17 +254,17 @@ TEST_F(BackgroundTest, TheQuestionEndsWithItsScan) {
   EXPECT_TRUE(worker_->edits.empty());
 }
 
-TEST_F(PointingTest, WhatWasNotDoneIsSaidAndCannotBeTakenBack) {
+TEST_F(PointingTest, FailedEditIsReported_AndIsNoUndoStep) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_Plus);
   worker_->report(EditFailed{worker_->edits.back(), {"Region 5 has no parts.", ""}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, kPatience_ms));
   EXPECT_EQ(window_->parts().messages->text(), QStringLiteral("Region 5 has no parts."));
   EXPECT_FALSE(window_->history().stack().canUndo());
-  EXPECT_EQ(worker_->edits.size(), 1U) << "nothing is undone in the scan";
+  EXPECT_EQ(worker_->edits.size(), 1U) << "no undo is sent to the scan";
 }
 
-TEST_F(PointingTest, TabWalksTheRegionsAndEscapeLetsGo) {
+TEST_F(PointingTest, TabSelectsTheNextRegion_AndEscapeDeselects) {
   panel(0)->setFocus();
   QTest::keyClick(panel(0), Qt::Key_Tab);
   EXPECT_EQ(selection().selected(), std::vector{RegionId{5}});
@@ -274,7 +274,7 @@ TEST_F(PointingTest, TabWalksTheRegionsAndEscapeLetsGo) {
   EXPECT_TRUE(selection().selected().empty());
 }
 
-TEST_F(PointingTest, ARightClickOffersTheOperations) {
+TEST_F(PointingTest, RightClickOpensTheRegionMenu) {
   QTest::mouseMove(panel(0), panel(0)->placeOf({0.8, 0.3}).toPoint());
   const QPoint place = panel(0)->placeOf({0.8, 0.3}).toPoint();
   QContextMenuEvent event(QContextMenuEvent::Mouse, place, panel(0)->mapToGlobal(place));
@@ -286,7 +286,7 @@ TEST_F(PointingTest, ARightClickOffersTheOperations) {
   menu->close();
 }
 
-TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
+TEST_F(PointingTest, EndedScanShowsKeyFrames_AndExportsADataSet) {
   EXPECT_FALSE(window_->parts().actions->export_data->isEnabled());
   worker_->finish();
   ScanSnapshot snapshot = twoRegions(90);
@@ -309,9 +309,9 @@ TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->dialogs().exportDialog()->said().contains(QStringLiteral("12 images")); },
       kPatience_ms));
-  // A picture of it, and the way to the next one.
+  // The dialog shows a sample, and the page keys change it.
   ASSERT_FALSE(worker_->samples.empty());
-  EXPECT_FALSE(worker_->samples.back().second) << "the program chooses the first";
+  EXPECT_FALSE(worker_->samples.back().second) << "the worker chooses the first sample";
   ExportSample sample;
   sample.place = 1;
   sample.count = 3;
@@ -326,7 +326,7 @@ TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
   EXPECT_EQ(worker_->samples.back().second, 2);
   QTest::keyClick(window_->dialogs().exportDialog(), Qt::Key_PageDown);
   QTest::keyClick(window_->dialogs().exportDialog(), Qt::Key_PageUp);
-  EXPECT_EQ(worker_->samples.back().second, 1) << "there is no fourth";
+  EXPECT_EQ(worker_->samples.back().second, 1) << "three samples only";
   window_->dialogs().exportDialog()->begin();
   ASSERT_EQ(worker_->exports.size(), 1U);
   EXPECT_FALSE(worker_->exports[0].folder.empty());
@@ -336,7 +336,7 @@ TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
       kPatience_ms));
 }
 
-TEST_F(PointingTest, EveryScanOfTheWindowIsKept) {
+TEST_F(PointingTest, ScansOfTheWindowAreSaved) {
   EXPECT_TRUE(worker_->last_request.output_folder.has_value());
   EXPECT_TRUE(worker_->last_request.review);
   EXPECT_FALSE(worker_->last_request.results);

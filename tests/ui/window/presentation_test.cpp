@@ -15,18 +15,18 @@ namespace {
 
 class PresentationTest : public WindowTest {};
 
-TEST_F(PresentationTest, ShowsTheSceneAloneSaysWhatHappensAndKeepsNothing) {
+TEST_F(PresentationTest, ShowsTheSceneWithCaptions_AndSavesNothing) {
   window_->presentation()->begin();
   EXPECT_TRUE(window_->isFullScreen());
   EXPECT_FALSE(window_->menuBar()->isVisible());
   window_->open(QStringLiteral("demo"));
   EXPECT_FALSE(worker_->last_request.output_folder) << "no session";
-  EXPECT_NE(worker_->last_request.database, file_.toStdString()) << "nor the person's catalogue";
+  EXPECT_NE(worker_->last_request.database, file_.toStdString()) << "not the user's catalogue";
   worker_->report(snapshotOf(3));
   worker_->report(ObjectRecognized{ObjectId{3}, "red mug"});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->presentation()->caption() == QStringLiteral("Recognised: red mug"); }, 3000));
-  EXPECT_FALSE(window_->parts().objects->isVisible()) << "what comes with a scan stays away";
+  EXPECT_FALSE(window_->parts().objects->isVisible()) << "the panels of a scan stay hidden";
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_FALSE(window_->presentation()->isOn());
   EXPECT_TRUE(window_->menuBar()->isVisible());
@@ -36,7 +36,7 @@ TEST_F(PresentationTest, ShowsTheSceneAloneSaysWhatHappensAndKeepsNothing) {
   EXPECT_TRUE(worker_->last_request.output_folder);
 }
 
-TEST_F(PresentationTest, OfAScanThatRunsOnlyTheLookChanges) {
+TEST_F(PresentationTest, KeepsARunningScan_WhenItEnds) {
   window_->open(QStringLiteral("demo"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->controller().bridge().busy(); }, 3000));
   window_->presentation()->begin();
@@ -63,7 +63,7 @@ TEST_F(PresentationTest, KeepsItsCatalogue_UntilTheScanHasEnded) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->controller().bridge().busy(); }, 3000));
   const QString folder = QFileInfo(QString::fromStdString(worker_->last_request.database)).path();
   QTest::keyClick(window_.get(), Qt::Key_Escape);
-  EXPECT_TRUE(QFileInfo::exists(folder)) << "the scan still writes its end into it";
+  EXPECT_TRUE(QFileInfo::exists(folder)) << "the scan still writes into it";
   worker_->report(snapshotOf(107));
   worker_->finish();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(folder); }, 3000));

@@ -22,7 +22,7 @@ class WindowRefinementTest : public WindowTest {
   }
 };
 
-TEST_F(WindowRefinementTest, ItsButtonAndItsKeySkipIt) {
+TEST_F(WindowRefinementTest, ButtonAndKeySkipIt) {
   const QAction* action = window_->parts().actions->skip_refinement;
   EXPECT_FALSE(action->isEnabled());
   scanToItsEnd();
@@ -42,13 +42,13 @@ TEST_F(WindowRefinementTest, ItsButtonAndItsKeySkipIt) {
   EXPECT_FALSE(action->isEnabled());
 }
 
-TEST_F(WindowRefinementTest, CanBeDoneLater) {
+TEST_F(WindowRefinementTest, KeyStartsIt_WhenItWasSkipped) {
   const QAction* action = window_->parts().actions->refine;
   window_->openSession(QStringLiteral("/somewhere/kitchen"));
   enter(ScanState::finished);
   worker_->report(ReviewOpened{.can_refine = false});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().actions->export_data->isEnabled(); }));
-  EXPECT_FALSE(action->isEnabled()) << "it has been done";
+  EXPECT_FALSE(action->isEnabled()) << "the scan is refined already";
   worker_->report(ReviewOpened{.can_refine = true});
   ASSERT_TRUE(QTest::qWaitFor([&] { return action->isEnabled(); }));
   QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
@@ -58,7 +58,7 @@ TEST_F(WindowRefinementTest, CanBeDoneLater) {
   enter(ScanState::refining);
   EXPECT_FALSE(action->isEnabled());
   window_->open(QStringLiteral("demo"));
-  EXPECT_FALSE(worker_->last_request.refine_session) << "the next scan is a scan";
+  EXPECT_FALSE(worker_->last_request.refine_session) << "the next request is a scan";
 }
 
 }  // namespace

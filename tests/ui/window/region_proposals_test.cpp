@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-/// An appearance of that size, all in one bin of color.
+/// An appearance of `length_m` x 8 x 8 cm with all pixels in one color bin.
 RegionAppearance appearanceOf(float length_m, std::size_t bin) {
   RegionAppearance appearance;
   appearance.size_m = {length_m, 0.08F, 0.08F};
@@ -34,14 +34,14 @@ class RegionProposalsTest : public testing::Test {
   }
 };
 
-TEST_F(RegionProposalsTest, WhatLooksAlikeIsProposedLikestFirst) {
+TEST_F(RegionProposalsTest, ProposesSimilarRegions_MostSimilarFirst) {
   RegionProposals proposals;
   proposals.propose(RegionId{1}, QStringLiteral("book"), {}, threeBooksAndAMug());
   EXPECT_EQ(regionsOf(proposals), (std::vector{RegionId{3}, RegionId{2}}));
   EXPECT_TRUE(reasonOf(*proposals.first()).contains(QStringLiteral("21 × 8 × 8 cm")));
 }
 
-TEST_F(RegionProposalsTest, AcceptedOnesAreGone) {
+TEST_F(RegionProposalsTest, RemovesAcceptedProposals) {
   RegionProposals proposals;
   proposals.propose(RegionId{1}, QStringLiteral("book"), QStringLiteral("media"), threeBooksAndAMug());
   const std::vector<Proposal> first = proposals.acceptFirst();
@@ -52,7 +52,7 @@ TEST_F(RegionProposalsTest, AcceptedOnesAreGone) {
   EXPECT_EQ(proposals.first(), nullptr);
 }
 
-TEST_F(RegionProposalsTest, WhatWasRejectedStaysAwayAlsoInTheNextScan) {
+TEST_F(RegionProposalsTest, DoesNotProposeRejectedRegionsAgain_EvenInTheNextScan) {
   {
     RegionProposals proposals;
     proposals.propose(RegionId{1}, QStringLiteral("book"), {}, threeBooksAndAMug());
@@ -66,12 +66,12 @@ TEST_F(RegionProposalsTest, WhatWasRejectedStaysAwayAlsoInTheNextScan) {
                                            {RegionId{12}, appearanceOf(0.21F, 7)},
                                            {RegionId{13}, appearanceOf(0.265F, 7)}};
   later.propose(RegionId{11}, QStringLiteral("book"), {}, appearances);
-  EXPECT_EQ(regionsOf(later), std::vector{RegionId{13}}) << "12 looks like what was no book";
+  EXPECT_EQ(regionsOf(later), std::vector{RegionId{13}}) << "12 is similar to the rejected region";
   later.propose(RegionId{11}, QStringLiteral("box"), {}, appearances);
-  EXPECT_EQ(regionsOf(later).size(), 2U) << "under another name";
+  EXPECT_EQ(regionsOf(later).size(), 2U) << "the rejection was for another name";
 }
 
-TEST_F(RegionProposalsTest, NothingIsLikeWhatHasNoLook) {
+TEST_F(RegionProposalsTest, ProposesNothing_WhenTheRegionHasNoAppearance) {
   RegionProposals proposals;
   proposals.propose(RegionId{99}, QStringLiteral("book"), {}, threeBooksAndAMug());
   EXPECT_TRUE(proposals.open().empty());

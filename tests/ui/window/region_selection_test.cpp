@@ -17,14 +17,14 @@ ScanSnapshot snapshotWith(const std::vector<RegionChange>& changes, const Region
 }
 
 RegionInfo info(std::uint32_t region, std::int64_t voxels, const std::string& name = {}) {
-  RegionInfo made;
-  made.region = RegionId{region};
-  made.voxels = voxels;
-  made.note.name = name;
-  return made;
+  RegionInfo region_info;
+  region_info.region = RegionId{region};
+  region_info.voxels = voxels;
+  region_info.note.name = name;
+  return region_info;
 }
 
-TEST(RegionSelection, ASelectedRegionThatIsJoinedIsFollowed) {
+TEST(RegionSelection, SelectionFollowsAJoinedRegion) {
   RegionSelection selection;
   selection.update(snapshotWith({{FragmentId{1}, RegionId{10}}, {FragmentId{2}, RegionId{20}}},
                                 {info(10, 500), info(20, 900)}));
@@ -35,7 +35,7 @@ TEST(RegionSelection, ASelectedRegionThatIsJoinedIsFollowed) {
   EXPECT_EQ(changes.count(), 1);
 }
 
-TEST(RegionSelection, OneThatPartsGoesOnAndWhatIsNoMoreIsLetGo) {
+TEST(RegionSelection, SelectionKeepsASplitRegion_AndDropsARemovedOne) {
   RegionSelection selection;
   selection.update(
       snapshotWith({{FragmentId{1}, RegionId{10}}, {FragmentId{2}, RegionId{10}}}, {info(10, 1000)}));
@@ -46,14 +46,14 @@ TEST(RegionSelection, OneThatPartsGoesOnAndWhatIsNoMoreIsLetGo) {
   EXPECT_TRUE(selection.selected().empty());
 }
 
-TEST(RegionSelection, WalksBySizeAndLeavesOutBackgroundAndCrumbs) {
+TEST(RegionSelection, WalksBySize_WithoutBackgroundAndSmallRegions) {
   RegionSelection selection;
   RegionInfo table = info(1, 90000);
   table.note.background = true;
   selection.update(snapshotWith({}, {table, info(2, 500), info(3, 5000), info(4, 3)}));
   selection.walk(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{3}});
-  // The other one grows meanwhile, and is no less the next.
+  // Region 2 has grown beyond region 3, and is still the next.
   selection.update(snapshotWith({}, {table, info(2, 50000), info(3, 5000), info(4, 3)}));
   selection.walk(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{2}});
@@ -61,10 +61,10 @@ TEST(RegionSelection, WalksBySizeAndLeavesOutBackgroundAndCrumbs) {
   EXPECT_EQ(selection.selected(), std::vector{RegionId{3}});
   selection.walk(true);
   selection.walk(true);
-  EXPECT_EQ(selection.selected(), std::vector{RegionId{2}}) << "from the beginning";
+  EXPECT_EQ(selection.selected(), std::vector{RegionId{2}}) << "the walk starts again";
 }
 
-TEST(RegionSelection, SelectingAlsoAddsAndTakesAway) {
+TEST(RegionSelection, SelectWithAddTogglesARegion) {
   RegionSelection selection;
   selection.select(RegionId{3});
   selection.select(RegionId{5}, true);
@@ -75,7 +75,7 @@ TEST(RegionSelection, SelectingAlsoAddsAndTakesAway) {
   EXPECT_TRUE(selection.selected().empty());
 }
 
-TEST(RegionSelection, TitlesAreNamesWhereThereAreAny) {
+TEST(RegionSelection, TitleIsTheName_OrTheNumber) {
   RegionSelection selection;
   selection.update(snapshotWith({}, {info(2, 500, "red cup"), info(3, 5000)}));
   EXPECT_EQ(selection.title(RegionId{2}), QStringLiteral("red cup"));
@@ -92,22 +92,22 @@ ScanSnapshot twoHalves() {
   return snapshot;
 }
 
-TEST(FramePointing, SaysRegionAndPointOfAPlace) {
+TEST(FramePointing, ReturnsRegionAndPointOfAPosition) {
   FramePointing pointing;
   pointing.show(twoHalves());
   const RegionPoint left = pointing.at({0.25, 0.5}, FramePointing::Picture::other);
   EXPECT_EQ(left.region, RegionId{5});
   EXPECT_EQ(pointing.at({0.75, 0.5}, FramePointing::Picture::color).region, RegionId{7});
-  // Pixel (16, 24) at 2 m: x = (16 - 31.5) * 2 / 50, y = (24 - 23.5) * 2 / 50, from the camera's place.
+  // Pixel (16, 24) at 2 m: x = (16 - 31.5) * 2 / 50, y = (24 - 23.5) * 2 / 50, plus the camera's position.
   ASSERT_TRUE(left.point_world);
   EXPECT_TRUE(left.point_world->isApprox(Eigen::Vector3f(1 - 0.62F, 2 + 0.02F, 5), 1e-4F));
   pointing.clear();
   EXPECT_FALSE(pointing.at({0.25, 0.5}, FramePointing::Picture::other).region);
 }
 
-TEST(FramePointing, AColorCameraBesideTheDepthCameraSeesItElsewhere) {
+TEST(FramePointing, MapsColorPositions_WhenTheColorCameraIsApart) {
   ScanSnapshot snapshot = twoHalves();
-  // All is seen a quarter of the width further right in colour.
+  // In colour, everything lies a quarter of the width further right.
   snapshot.color_places = cv::Mat(48, 64, CV_32FC2);
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
@@ -120,16 +120,15 @@ TEST(FramePointing, AColorCameraBesideTheDepthCameraSeesItElsewhere) {
   EXPECT_EQ(pointing.at({0.6, 0.5}, FramePointing::Picture::other).region, RegionId{7});
   EXPECT_EQ(pointing.at({0.6, 0.5}, FramePointing::Picture::color).region, RegionId{5});
   EXPECT_EQ(pointing.at({0.9, 0.5}, FramePointing::Picture::color).region, RegionId{7});
-  EXPECT_FALSE(pointing.at({0.1, 0.5}, FramePointing::Picture::color).region)
-      << "nothing of depth is seen there";
+  EXPECT_FALSE(pointing.at({0.1, 0.5}, FramePointing::Picture::color).region) << "no depth there";
 }
 
-TEST(RegionPicture, LightsUpWhatIsPointedAtAndSelectedAndNothingElse) {
+TEST(RegionPicture, HighlightsHoveredAndSelectedRegionsOnly) {
   cv::Mat ids(20, 30, CV_32SC1, cv::Scalar(1));
   ids.colRange(10, 20).setTo(2);
   ids.colRange(20, 30).setTo(3);
   EXPECT_TRUE(litPicture(ids, {}, {}).isNull());
-  EXPECT_TRUE(litPicture(ids, RegionId{9}, {}).isNull()) << "it is not in view";
+  EXPECT_TRUE(litPicture(ids, RegionId{9}, {}).isNull()) << "region 9 is not in view";
   const QImage lit = litPicture(ids, RegionId{1}, {RegionId{2}});
   EXPECT_EQ(qAlpha(lit.pixel(25, 10)), 0);
   EXPECT_GT(qAlpha(lit.pixel(5, 10)), 0);
@@ -137,7 +136,7 @@ TEST(RegionPicture, LightsUpWhatIsPointedAtAndSelectedAndNothingElse) {
   EXPECT_EQ(qAlpha(lit.pixel(10, 10)), 255) << "its edge";
 }
 
-TEST(RegionPicture, ABandTakesWhatLiesMostlyInIt) {
+TEST(RegionPicture, BandSelectsRegionsMostlyInsideIt) {
   cv::Mat ids(20, 30, CV_32SC1, cv::Scalar(0));
   ids(cv::Rect(2, 2, 6, 6)).setTo(4);
   ids(cv::Rect(12, 2, 16, 6)).setTo(5);

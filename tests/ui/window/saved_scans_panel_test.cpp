@@ -17,9 +17,9 @@
 namespace scantrove {
 namespace {
 
-TEST(SavedScansPanel, AClickOpensOneAndDelDeletesIt) {
+TEST(SavedScansPanel, ClickOpensAScan_AndDeleteKeyDeletesIt) {
   SavedScansPanel list;
-  EXPECT_TRUE(list.isHidden()) << "there are none";
+  EXPECT_TRUE(list.isHidden()) << "no saved scans";
   list.setScans({{QStringLiteral("/a"), QStringLiteral("kitchen"), QStringLiteral("5 frames"), {}},
                  {QStringLiteral("/b"), QStringLiteral("desk"), {}, {}}});
   EXPECT_FALSE(list.isHidden());
@@ -38,20 +38,20 @@ TEST(SavedScansPanel, AClickOpensOneAndDelDeletesIt) {
   EXPECT_EQ(deleted[0][0].toString(), QStringLiteral("/b"));
 }
 
-/// Labels that show less than their text, or more than their place.
+/// Texts of labels that are cut off, leave their card or overlap another label.
 QStringList cutLabels(const QWidget& page) {
   QStringList cut;
   for (const QToolButton* card : page.findChildren<QToolButton*>(QStringLiteral("startCard"))) {
     const QList<QLabel*> labels = card->findChildren<QLabel*>();
     for (const QLabel* label : labels) {
-      const QRect place(label->mapTo(card, QPoint()), label->size());
+      const QRect area(label->mapTo(card, QPoint()), label->size());
       const int needed =
           label->hasHeightForWidth() ? label->heightForWidth(label->width()) : label->sizeHint().height();
       const int width = label->wordWrap() ? 0 : label->fontMetrics().horizontalAdvance(label->text());
-      if (!card->rect().contains(place) || label->height() < needed || label->width() < width)
+      if (!card->rect().contains(area) || label->height() < needed || label->width() < width)
         cut << label->text();
       for (const QLabel* other : labels) {
-        if (other != label && place.intersects(QRect(other->mapTo(card, QPoint()), other->size())))
+        if (other != label && area.intersects(QRect(other->mapTo(card, QPoint()), other->size())))
           cut << label->text() + QStringLiteral(" over ") + other->text();
       }
     }
@@ -59,7 +59,7 @@ QStringList cutLabels(const QWidget& page) {
   return cut;
 }
 
-TEST(StartPage, ItsCardsCutNoText) {
+TEST(StartPage, CardsShowTheirTextsCompletely) {
   StartPage page;
   const QString long_title = QStringLiteral("a recording of the whole kitchen from the door to the window");
   const QString details = QStringLiteral(
@@ -81,12 +81,12 @@ TEST(StartPage, ItsCardsCutNoText) {
     EXPECT_EQ(cutLabels(page).join(QStringLiteral(" | ")).toStdString(), "");
   }
   const QString tip = page.savedScans()->findChild<QToolButton*>()->toolTip();
-  EXPECT_TRUE(tip.contains(long_title)) << "all of it is at hand";
+  EXPECT_TRUE(tip.contains(long_title)) << "the tooltip has the complete title";
   EXPECT_TRUE(tip.contains(QStringLiteral("the lunch box")));
   EXPECT_TRUE(tip.contains(QStringLiteral("/scans/a")));
 }
 
-TEST(DeleteScan, GoesToTheTrashAndComesBack) {
+TEST(DeleteScan, MovesTheFolderToTheTrash_AndUndoRestoresIt) {
   const QTemporaryDir home(QDir::homePath() + QStringLiteral("/scantrove-test-XXXXXX"));
   const QString folder = home.filePath(QStringLiteral("scan"));
   ASSERT_TRUE(QDir().mkpath(folder));
@@ -106,7 +106,7 @@ TEST(DeleteScan, GoesToTheTrashAndComesBack) {
   EXPECT_EQ(steps, 2);
 }
 
-TEST(DeleteScan, WhatCannotBeDeletedIsSaidAndNoStep) {
+TEST(DeleteScan, ReportsAFailure_WhichIsNoUndoStep) {
   QString failure;
   QUndoStack undo;
   undo.push(new DeleteScan(

@@ -11,12 +11,12 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Writes down what is done and undone.
+/// Records each redo ("+name") and undo ("-name").
 class UndoHistoryTest : public testing::Test {
  protected:
-  class Noted : public QUndoCommand {
+  class RecordedStep : public QUndoCommand {
    public:
-    Noted(const char* name, std::vector<std::string>& notes)
+    RecordedStep(const char* name, std::vector<std::string>& notes)
         : QUndoCommand(QString::fromLatin1(name)), name_(name), notes_(notes) {}
     void redo() override { notes_.push_back("+" + name_); }
     void undo() override { notes_.push_back("-" + name_); }
@@ -26,7 +26,7 @@ class UndoHistoryTest : public testing::Test {
     std::vector<std::string>& notes_;
   };
 
-  UndoHistory::Step step(const char* name) { return std::make_shared<Noted>(name, notes_); }
+  UndoHistory::Step step(const char* name) { return std::make_shared<RecordedStep>(name, notes_); }
   void undoAll() {
     while (history_.stack().canUndo()) history_.stack().undo();
   }
@@ -36,7 +36,7 @@ class UndoHistoryTest : public testing::Test {
   const int catalogue_ = 0, regions_ = 0;
 };
 
-TEST_F(UndoHistoryTest, TakesStepsOfAllOwnersBackInTheirOrder) {
+TEST_F(UndoHistoryTest, UndoesStepsOfAllOwnersInReverseOrder) {
   history_.push(&regions_, step("name"));
   history_.push(&catalogue_, step("rename"));
   history_.push(&regions_, step("join"));
@@ -47,7 +47,7 @@ TEST_F(UndoHistoryTest, TakesStepsOfAllOwnersBackInTheirOrder) {
   EXPECT_EQ(notes_.back(), "+name");
 }
 
-TEST_F(UndoHistoryTest, ForgetsAnOwnersStepsAndTouchesNone) {
+TEST_F(UndoHistoryTest, ForgetsTheStepsOfAnOwner_WithoutUndoingThem) {
   history_.push(&regions_, step("name"));
   history_.push(&catalogue_, step("rename"));
   history_.push(&catalogue_, step("delete"));
@@ -61,24 +61,24 @@ TEST_F(UndoHistoryTest, ForgetsAnOwnersStepsAndTouchesNone) {
   EXPECT_THAT(notes_, ElementsAre("-rename"));
 }
 
-TEST_F(UndoHistoryTest, StepsOfAnOpenedScanAreOlderThanThoseOfToday) {
+TEST_F(UndoHistoryTest, StepsOfAnOpenedScanPrecedeNewSteps) {
   history_.push(&catalogue_, step("rename"));
   notes_.clear();
   history_.learn(&regions_, {step("name"), step("cut"), step("undone")}, 2);
-  EXPECT_TRUE(notes_.empty()) << "they have been done";
-  EXPECT_FALSE(history_.stack().canRedo()) << "something was done since";
+  EXPECT_TRUE(notes_.empty()) << "they are done already";
+  EXPECT_FALSE(history_.stack().canRedo()) << "a newer step exists";
   undoAll();
   EXPECT_THAT(notes_, ElementsAre("-rename", "-cut", "-name"));
 }
 
-TEST_F(UndoHistoryTest, WhatAnOpenedScanHadUndoneCanBeDoneAgain) {
+TEST_F(UndoHistoryTest, UndoneStepsOfAnOpenedScanCanBeRedone) {
   history_.learn(&regions_, {step("name"), step("cut")}, 1);
   EXPECT_EQ(history_.stack().redoText(), QStringLiteral("cut"));
   history_.stack().redo();
   EXPECT_THAT(notes_, ElementsAre("+cut"));
 }
 
-TEST_F(UndoHistoryTest, TakesTheNewestBackForItsOwnerAlone) {
+TEST_F(UndoHistoryTest, UndoesTheNewestStep_OnlyForItsOwner) {
   history_.push(&regions_, step("cut"));
   history_.push(&catalogue_, step("rename"));
   EXPECT_FALSE(history_.undoNewest(&regions_));
@@ -88,7 +88,7 @@ TEST_F(UndoHistoryTest, TakesTheNewestBackForItsOwnerAlone) {
   EXPECT_THAT(notes_, ElementsAre("+cut", "+rename", "-rename", "-cut"));
 }
 
-TEST_F(UndoHistoryTest, AStepThatFailedIsForgotten) {
+TEST_F(UndoHistoryTest, ForgetsAFailedStep) {
   const UndoHistory::Step failed = step("join");
   history_.push(&regions_, step("name"));
   history_.push(&regions_, failed);

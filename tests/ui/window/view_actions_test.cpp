@@ -19,7 +19,7 @@ class ViewActionsTest : public WindowTest {
   ViewActions& view() { return *window_->parts().scene->viewActions(); }
   const CloudStyle& style() { return window_->parts().scene->view()->scene().cloud().style(); }
 
-  /// A wall before the sensor, half a metre wide and high, 1.17 m away.
+  /// A wall before the camera, half a metre wide and high, 1.17 m away.
   void showWall() {
     window_->open(QStringLiteral("demo"));
     ScanSnapshot snapshot = snapshotOf(4);
@@ -41,7 +41,7 @@ class ViewActionsTest : public WindowTest {
   }
 };
 
-TEST_F(ViewActionsTest, KeysColorTheSceneAndThatIsRemembered) {
+TEST_F(ViewActionsTest, KeysChangeTheColoring_AndItIsRemembered) {
   EXPECT_EQ(style().coloring, Coloring::regions);
   window_->open(QStringLiteral("demo"));
   QTest::keyClick(window_.get(), Qt::Key_1, Qt::AltModifier);
@@ -50,14 +50,14 @@ TEST_F(ViewActionsTest, KeysColorTheSceneAndThatIsRemembered) {
   QTest::keyClick(window_.get(), Qt::Key_5, Qt::AltModifier);
   EXPECT_EQ(style().coloring, Coloring::height);
   QTest::keyClick(window_.get(), Qt::Key_R);
-  EXPECT_EQ(style().coloring, Coloring::scene) << "after the last comes the first";
+  EXPECT_EQ(style().coloring, Coloring::scene) << "the first follows the last";
   QTest::keyClick(window_.get(), Qt::Key_3, Qt::AltModifier);
   restart();
   EXPECT_EQ(style().coloring, Coloring::blended);
   EXPECT_TRUE(view().coloringActions()[2]->isChecked());
 }
 
-TEST_F(ViewActionsTest, BackgroundIsShownDimmedHiddenInTurn) {
+TEST_F(ViewActionsTest, ShiftBChangesTheBackgroundStyle) {
   view().setBackground({RegionId{5}});
   EXPECT_EQ(style().background, std::set{RegionId{5}});
   EXPECT_EQ(style().background_style, BackgroundStyle::as_others);
@@ -71,7 +71,7 @@ TEST_F(ViewActionsTest, BackgroundIsShownDimmedHiddenInTurn) {
   EXPECT_EQ(style().background, std::set{RegionId{5}});
 }
 
-TEST_F(ViewActionsTest, TheCutIsMovedByTheWheelAndZoomStaysZoom) {
+TEST_F(ViewActionsTest, CtrlWheelMovesTheClipPlane_AndTheWheelZooms) {
   showWall();
   SceneView* scene = window_->parts().scene->view();
   QTest::keyClick(window_.get(), Qt::Key_X);
@@ -92,7 +92,7 @@ TEST_F(ViewActionsTest, TheCutIsMovedByTheWheelAndZoomStaysZoom) {
   EXPECT_FALSE(scene->scene().clipDistance());
 }
 
-TEST_F(ViewActionsTest, TwoClicksMeasureAndEscapeEnds) {
+TEST_F(ViewActionsTest, TwoClicksMeasureALength_AndEscapeEnds) {
   showWall();
   SceneView* scene = window_->parts().scene->view();
   QTest::keyClick(window_.get(), Qt::Key_T);
@@ -103,10 +103,10 @@ TEST_F(ViewActionsTest, TwoClicksMeasureAndEscapeEnds) {
   EXPECT_FALSE(view().measureTool()->length());
   QTest::mouseClick(scene, Qt::LeftButton, {}, aside);
   ASSERT_TRUE(view().measureTool()->length());
-  // An eighth of the height of a view of 40 degrees.
+  // An eighth of the view's height; its vertical angle is 40 degrees.
   const double expected = 1.17 * std::tan(20 * 3.14159265 / 180) / 4;
   EXPECT_NEAR(*view().measureTool()->length(), expected, 0.012);
-  // Beside the scene there is nothing to measure, and a drag is no click.
+  // A click outside the scene keeps the measurement.
   QTest::mouseClick(scene, Qt::LeftButton, {}, QPoint(2, 2));
   EXPECT_TRUE(view().measureTool()->length());
   scene->setFocus();
@@ -116,12 +116,12 @@ TEST_F(ViewActionsTest, TwoClicksMeasureAndEscapeEnds) {
   EXPECT_FALSE(view().measureTool()->length());
 }
 
-TEST_F(ViewActionsTest, LengthsAreSaidAsPersonsSayThem) {
+TEST_F(ViewActionsTest, LengthTextIsInCentimetresOrMetres) {
   EXPECT_EQ(MeasureTool::lengthText(0.1234F), QStringLiteral("12.3 cm"));
   EXPECT_EQ(MeasureTool::lengthText(1.5F), QStringLiteral("1.500 m"));
 }
 
-TEST_F(ViewActionsTest, KeysLookFromTheSides) {
+TEST_F(ViewActionsTest, KeysTurnTheViewToTopAndFront) {
   showWall();
   SceneView* scene = window_->parts().scene->view();
   QTest::keyClick(window_.get(), Qt::Key_5, Qt::ControlModifier | Qt::AltModifier);

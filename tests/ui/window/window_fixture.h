@@ -14,7 +14,7 @@
 
 namespace scantrove::test {
 
-/// The whole window over a fresh catalogue, with a scripted worker behind it.
+/// The window with a fresh catalogue and a scripted worker.
 class WindowTest : public CatalogueTest {
  protected:
   void SetUp() override {
@@ -26,7 +26,7 @@ class WindowTest : public CatalogueTest {
   /// A new window over the same catalogue, as after a restart of the program.
   void restart() { restartWith(file_); }
 
-  /// The same with another catalogue on the command line; empty: none is given.
+  /// As restart(), with `catalogue` on the command line; empty: none.
   void restartWith(const QString& catalogue) {
     window_.reset();
     WindowOptions options;
@@ -54,7 +54,7 @@ class WindowTest : public CatalogueTest {
                       list()->visualRect(rowOf(object)).center());
   }
 
-  /// The field a name is being typed in, or null.
+  /// The open name field, or null.
   QLineEdit* nameEditor() {
     auto* field = list()->findChild<QLineEdit*>(QStringLiteral("objectNameEditor"));
     return field->isVisible() ? field : nullptr;

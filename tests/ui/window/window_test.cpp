@@ -27,7 +27,7 @@ namespace {
 
 using test::WindowTest;
 
-TEST_F(WindowTest, RenamedAndConfirmedByKeysIsStoredAndThereAfterARestart) {
+TEST_F(WindowTest, KeysRenameAndConfirm_AndARestartKeepsBoth) {
   QTest::keyClick(window_.get(), Qt::Key_L, Qt::ControlModifier);
   ASSERT_TRUE(list()->hasFocus());
   list()->setCurrentIndex(rowOf(objects_[1]));
@@ -48,7 +48,7 @@ TEST_F(WindowTest, RenamedAndConfirmedByKeysIsStoredAndThereAfterARestart) {
   EXPECT_TRUE(rowOf(objects_[1]).data(ObjectListModel::ConfirmedRole).toBool());
 }
 
-TEST_F(WindowTest, RenamedAndConfirmedByMouseIsStored) {
+TEST_F(WindowTest, MouseRenamesAndConfirms) {
   clickOn(objects_[0]);
   EXPECT_EQ(window_->parts().objects->viewsStrip()->count(), 1U);
   QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(rowOf(objects_[0])).center());
@@ -61,7 +61,7 @@ TEST_F(WindowTest, RenamedAndConfirmedByMouseIsStored) {
   EXPECT_TRUE(stored(objects_[0]).confirmed);
 }
 
-TEST_F(WindowTest, DeleteMergeAndUndoByKeys) {
+TEST_F(WindowTest, KeysDeleteMergeAndUndo) {
   clickOn(objects_[0]);
   QTest::keyClick(list(), Qt::Key_Delete);
   EXPECT_EQ(storedCount(), 2U);
@@ -78,7 +78,7 @@ TEST_F(WindowTest, DeleteMergeAndUndoByKeys) {
   EXPECT_EQ(storedCount(), 2U);
 }
 
-TEST_F(WindowTest, ARefusedNameIsSaidInTheBarAndNothingIsLost) {
+TEST_F(WindowTest, RefusedNameIsReported_AndTheOldOneKept) {
   clickOn(objects_[1]);
   QTest::keyClick(list(), Qt::Key_F2);
   ASSERT_NE(nameEditor(), nullptr);
@@ -89,14 +89,13 @@ TEST_F(WindowTest, ARefusedNameIsSaidInTheBarAndNothingIsLost) {
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
 }
 
-TEST_F(WindowTest, AMissingPathIsSaidAndTheWindowLives) {
+TEST_F(WindowTest, MissingPathIsReported_AndAnotherSourceOpens) {
   window_->open(QStringLiteral("/somewhere/missing"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, 3000));
   EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("/somewhere/missing")));
   EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("Check the path.")));
   EXPECT_TRUE(window_->onStartPage());
   EXPECT_FALSE(recentSources().contains(QStringLiteral("/somewhere/missing")));
-  // And it can go on with something else.
   window_->open(QStringLiteral("demo"));
   worker_->report(snapshotOf(0));
   ASSERT_TRUE(QTest::qWaitFor(
@@ -106,13 +105,13 @@ TEST_F(WindowTest, AMissingPathIsSaidAndTheWindowLives) {
   EXPECT_TRUE(recentSources().contains(QStringLiteral("demo")));
 }
 
-TEST_F(WindowTest, FailedOpening_LeavesNoFolder) {
+TEST_F(WindowTest, RemovesTheEmptyFolder_WhenOpeningFails) {
   const auto scans = [] {
     return QDir(ScanController::sessionsFolder()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
   };
   const QStringList before = scans();
   window_->open(QStringLiteral("/somewhere/missing"));
-  EXPECT_EQ(scans().size(), before.size() + 1) << "made for the scan";
+  EXPECT_EQ(scans().size(), before.size() + 1) << "the folder for the scan";
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, 3000));
   EXPECT_EQ(scans(), before);
   window_->open(QStringLiteral("/elsewhere/missing"));
@@ -120,10 +119,10 @@ TEST_F(WindowTest, FailedOpening_LeavesNoFolder) {
              QStringLiteral("/notes.txt"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->text().contains("elsewhere"); }, 3000));
-  EXPECT_TRUE(file.exists()) << "a folder that holds anything stays";
+  EXPECT_TRUE(file.exists()) << "a folder with files is kept";
 }
 
-TEST_F(WindowTest, AFolderOfASavedScan_OpensAsThat) {
+TEST_F(WindowTest, OpensASavedScan_WhenItsFolderIsGiven) {
   const QString folder = folder_.filePath(QStringLiteral("scan"));
   ASSERT_TRUE(SessionStore::create(folder.toStdString()));
   window_->open(folder + QLatin1Char('/'));
@@ -131,37 +130,37 @@ TEST_F(WindowTest, AFolderOfASavedScan_OpensAsThat) {
   EXPECT_EQ(worker_->last_request.output_folder, folder.toStdString());
 }
 
-TEST_F(WindowTest, AQuestion_EndsWithItsScanAndWithAnUndo) {
+TEST_F(WindowTest, ProposalCloses_WithItsScanAndAfterAnUndo) {
   RegionAppearance style;
   style.size_m = {0.2F, 0.1F, 0.1F};
   ColorHistogram::Shares shares{};
   shares[7] = 1;
   style.colors = ColorHistogram::ofShares(shares);
   RegionProposals& proposals = window_->regions().operations().proposals();
-  const auto ask = [&] {
+  const auto propose = [&] {
     proposals.propose(RegionId{1}, QStringLiteral("chair"), {}, {{RegionId{1}, style}, {RegionId{2}, style}});
     return proposals.first() != nullptr;
   };
   auto* const bar = window_->findChild<ProposalBar*>();
   window_->open(QStringLiteral("demo"));
-  ASSERT_TRUE(ask());
+  ASSERT_TRUE(propose());
   EXPECT_TRUE(bar->isVisible());
   worker_->report(Edited{UndoEdit{}, {}});
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !bar->isVisible(); }, 3000)) << "the name may be gone";
-  ASSERT_TRUE(ask());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !bar->isVisible(); }, 3000)) << "the undone step may be the name";
+  ASSERT_TRUE(propose());
   window_->closeScan();
   EXPECT_FALSE(bar->isVisible());
   EXPECT_EQ(proposals.first(), nullptr);
 }
 
-TEST(WindowPlacement, FitsASmallScreen) {
-  const QRect room(0, 24, 1366, 744);
-  EXPECT_EQ(fittedTo({0, 0, 1480, 920}, room), room);
-  EXPECT_EQ(fittedTo({900, 700, 800, 600}, room), QRect(566, 168, 800, 600));
-  EXPECT_EQ(fittedTo({100, 100, 800, 600}, room), QRect(100, 100, 800, 600)) << "it fits as it is";
+TEST(WindowPlacement, IsLimitedToTheScreen) {
+  const QRect screen(0, 24, 1366, 744);
+  EXPECT_EQ(fittedTo({0, 0, 1480, 920}, screen), screen);
+  EXPECT_EQ(fittedTo({900, 700, 800, 600}, screen), QRect(566, 168, 800, 600));
+  EXPECT_EQ(fittedTo({100, 100, 800, 600}, screen), QRect(100, 100, 800, 600)) << "it fits as it is";
 }
 
-TEST_F(WindowTest, TheExportDialog_FitsASmallScreen) {
+TEST_F(WindowTest, ExportDialogFitsASmallScreen) {
   ExportDialog dialog(QStringLiteral("kitchen"), window_.get());
   EXPECT_LT(dialog.minimumSizeHint().height(), 420) << "its choices scroll";
   dialog.resize(560, 420);
@@ -173,7 +172,7 @@ TEST_F(WindowTest, TheExportDialog_FitsASmallScreen) {
   }
 }
 
-TEST_F(WindowTest, ACompletionList_HasTheThemesColors) {
+TEST_F(WindowTest, CompletionListHasTheColorsOfTheTheme) {
   for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
     Theme::instance().choose(choice);
     QLineEdit field;
@@ -212,7 +211,7 @@ TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
   EXPECT_TRUE(rowOf(objects_[2]).data(ObjectListModel::InViewRole).toBool());
 }
 
-TEST_F(WindowTest, KeysDriveTheScan) {
+TEST_F(WindowTest, KeysPauseStepResumeAndStopTheScan) {
   window_->open(QStringLiteral("demo"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().actions->pause->isEnabled(); }, 3000));
   QTest::keyClick(window_.get(), Qt::Key_Space);
@@ -226,7 +225,7 @@ TEST_F(WindowTest, KeysDriveTheScan) {
   EXPECT_EQ(worker_->last_request.database, file_.toStdString());
 }
 
-TEST_F(WindowTest, AnObjectThatTheScanAddsAppears) {
+TEST_F(WindowTest, ListShowsAnObject_WhenTheScanAddsIt) {
   window_->open(QStringLiteral("demo"));
   auto database = ObjectDatabase::open(file_.toStdString());
   ASSERT_TRUE(database);
@@ -237,7 +236,7 @@ TEST_F(WindowTest, AnObjectThatTheScanAddsAppears) {
   EXPECT_TRUE(rowOf(added->id).data(ObjectListModel::AddedNowRole).toBool());
 }
 
-TEST_F(WindowTest, ADroppedFolderIsOpened) {
+TEST_F(WindowTest, OpensADroppedFolder) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(folder_.path())});
   QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
@@ -248,7 +247,7 @@ TEST_F(WindowTest, ADroppedFolderIsOpened) {
   EXPECT_EQ(worker_->last_request.source, folder_.path().toStdString());
 }
 
-TEST_F(WindowTest, EveryButtonHasAWordForThoseWhoDoNotSeeIt) {
+TEST_F(WindowTest, EveryButtonHasATextForScreenReaders) {
   window_->open(QStringLiteral("demo"));
   for (const QToolButton* button : window_->findChildren<QToolButton*>()) {
     if (!button->isVisible()) continue;

@@ -1,0 +1,29 @@
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QListWidget>
+
+#include "ui/panels/camera_dialog.h"
+
+namespace scantrove {
+namespace {
+
+TEST(CameraDialog, ShowsAdvice_WithoutACamera) {
+  CameraDialog dialog([] { return Result<std::vector<CameraInfo>>(std::vector<CameraInfo>{}); });
+  const QString text = dialog.findChild<QLabel*>(QStringLiteral("cameraAdvice"))->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("No depth camera")));
+  EXPECT_GT(text.size(), 60);
+  EXPECT_EQ(dialog.source(), QStringLiteral("camera:Dummy"));
+}
+
+TEST(CameraDialog, ListsCamerasBeforeTheDummy) {
+  CameraDialog dialog([] {
+    return Result<std::vector<CameraInfo>>(
+        std::vector<CameraInfo>{{"1d27/0601@1/5", "PS1080", "PrimeSense"}});
+  });
+  EXPECT_EQ(dialog.findChild<QListWidget*>()->count(), 2);
+  EXPECT_EQ(dialog.source(), QStringLiteral("camera:1d27/0601@1/5"));
+}
+
+}  // namespace
+}  // namespace scantrove
