@@ -9,7 +9,7 @@ namespace {
 
 using test::SyntheticScan;
 
-/// The region that most pixels of an instance are of, over some frames.
+/// The region with most pixels of an instance over every 20th frame.
 RegionId regionOf(const SyntheticScan& scan, int instance) {
   std::map<int, int> pixels;
   for (std::size_t i = 0; i < scan.frames.size(); i += 20) {
@@ -23,14 +23,13 @@ RegionId regionOf(const SyntheticScan& scan, int instance) {
   return most == pixels.end() ? RegionId{} : RegionId{static_cast<std::uint32_t>(most->first)};
 }
 
-// Coverage of each object of a table top against the directions in which the camera truly saw it: exact
-// poses, exact instances, caps of the reach of a look. Differing directions make up less than a tenth of the
-// sphere.
-TEST(Coverage, IsThatOfTheTrueViewDirections) {
+// Compares the coverage of each object of a table top with the true view directions, from exact poses and
+// instances and caps of ViewCoverage::kReach_deg. Less than a tenth of the sphere may differ.
+TEST(Coverage, MatchesTheTrueViewDirections) {
   SyntheticOptions options;
-  options.frames = 720;  // the camera goes on, around the table
+  options.frames = 720;  // the camera moves around the table
   options.stride = 8;
-  SyntheticScan scan(options, {}, true);  // steps are wide: the poses are the true ones
+  SyntheticScan scan(options, {}, true);  // true poses, as the steps are wide
   scan.run();
   ASSERT_EQ(scan.frames.size(), 90U);
 
@@ -40,7 +39,7 @@ TEST(Coverage, IsThatOfTheTrueViewDirections) {
   for (int i = 0; i < 4000; ++i)
     sphere.push_back(Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized());
 
-  // The scan's world is the first camera's.
+  // The world frame of the scan is the first camera.
   const Eigen::Isometry3d T_truth_scan =
       scan.frames.front().true_pose * scan.frames.front().pose.T_world_camera.inverse();
   int compared = 0;
@@ -59,19 +58,19 @@ TEST(Coverage, IsThatOfTheTrueViewDirections) {
     if (observations.empty() || !region) continue;
     const ViewCoverage coverage = scan.pipeline().labels().table().seenFrom(region);
     const float least = std::cos(ViewCoverage::kReach_deg * static_cast<float>(M_PI) / 180);
-    int is_wrong = 0;
-    int is_seen = 0;
+    int different = 0;
+    int seen = 0;
     for (const Eigen::Vector3f& direction : sphere) {
-      const bool truly = std::ranges::any_of(
-          observations, [&](const Eigen::Vector3f& look) { return look.dot(direction) >= least; });
+      const bool is_seen = std::ranges::any_of(
+          observations, [&](const Eigen::Vector3f& observed) { return observed.dot(direction) >= least; });
       const Eigen::Vector3f in_scan =
           (T_truth_scan.linear().transpose() * direction.cast<double>()).cast<float>();
-      is_seen += truly ? 1 : 0;
-      is_wrong += truly != coverage.covers(in_scan) ? 1 : 0;
+      seen += is_seen ? 1 : 0;
+      different += is_seen != coverage.covers(in_scan) ? 1 : 0;
     }
-    std::cout << instance.name << ": truly " << is_seen / 4000.0 << ", measured " << coverage.share()
-              << ", differing " << is_wrong / 4000.0 << '\n';
-    EXPECT_LT(is_wrong, 400) << instance.name;
+    std::cout << instance.name << ": true " << seen / 4000.0 << ", measured " << coverage.share()
+              << ", different " << different / 4000.0 << '\n';
+    EXPECT_LT(different, 400) << instance.name;
     ++compared;
   }
   EXPECT_GE(compared, 5);

@@ -10,13 +10,13 @@ namespace {
 
 using test::SyntheticScan;
 
-/// A row of books, seen by a scan whose working width is small for it; and every 6th of its frames.
-class FullResolutionSegmentation : public testing::Test {
+/// A scan of a row of books with a low working width, and every 6th of its frames in full resolution.
+class FullResolutionSegmentationTest : public testing::Test {
  protected:
-  FullResolutionSegmentation() : scan_(options(), params(), true) {
-    SyntheticOptions some = options();
-    some.stride = 6;
-    const auto source = makeSyntheticSource(some).value();
+  FullResolutionSegmentationTest() : scan_(options(), params(), true) {
+    SyntheticOptions full_resolution = options();
+    full_resolution.stride = 6;
+    const auto source = makeSyntheticSource(full_resolution).value();
     for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next())
       frames_.push_back(std::move(read.frame));
   }
@@ -27,10 +27,10 @@ class FullResolutionSegmentation : public testing::Test {
   }
   static MappingParams params() {
     MappingParams params;
-    params.fusion.working_width = 240;  // at 320 the scan alone parts 6 of them
+    params.fusion.working_width = 240;  // at 320 the scan alone separates 6 of them
     return params;
   }
-  /// Of how many books a region covers more than half in the last frame (intersection over union).
+  /// The number of books whose best region has an intersection over union above 0.5 in the last frame.
   int booksThatAreRegions() {
     const RgbdFrame& frame = frames_.back();
     const FrameResult seen = scan_.pipeline().observe(frame, *frame.T_world_camera);
@@ -47,8 +47,8 @@ class FullResolutionSegmentation : public testing::Test {
         if (truth(static_cast<int>(at)) == book) ++shared[seen.view.regions[at]];
       }
       const int visible = cv::countNonZero(truth == book);
-      const bool is_region = std::ranges::any_of(shared, [&](const auto& of) {
-        return of.first && of.second > 0.5 * (visible + all[of.first] - of.second);
+      const bool is_region = std::ranges::any_of(shared, [&](const auto& part) {
+        return part.first && part.second > 0.5 * (visible + all[part.first] - part.second);
       });
       books += is_region ? 1 : 0;
     }
@@ -59,9 +59,9 @@ class FullResolutionSegmentation : public testing::Test {
   std::vector<RgbdFrame> frames_;
 };
 
-TEST_F(FullResolutionSegmentation, PartsWhatIsNarrow) {
+TEST_F(FullResolutionSegmentationTest, SeparatesNarrowObjects) {
   scan_.run();
-  EXPECT_LE(booksThatAreRegions(), 4) << "the scan alone does it: the test shows nothing";
+  EXPECT_LE(booksThatAreRegions(), 4) << "the scan alone separates them: the test shows nothing";
   for (const RgbdFrame& frame : frames_)
     ASSERT_TRUE(scan_.pipeline().segmentCloser(frame, *frame.T_world_camera));
   EXPECT_GE(booksThatAreRegions(), 6);

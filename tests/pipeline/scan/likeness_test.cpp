@@ -1,4 +1,4 @@
-// Which regions look like one that was named.
+// Which regions are similar to a given one.
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
@@ -19,7 +19,7 @@ using test::SyntheticScan;
 constexpr std::array kMugs{"mug A", "mug B"};
 constexpr std::array kBooks{"book A", "book B", "book C"};
 
-/// Two equal mugs and three equal books among other things on a table.
+/// Two equal mugs and three equal books among other objects on a table.
 synthetic::SceneRecipe makeEqualsSet() {
   using namespace synthetic;
   SyntheticScene scene;
@@ -53,26 +53,26 @@ synthetic::SceneRecipe makeEqualsSet() {
           .lit_radius_m = 1.5};
 }
 
-/// How each region of the map looks.
-std::map<RegionId, RegionAppearance> looksOf(MappingPipeline& pipeline) {
+/// The appearance of each region of the map with at least 200 points.
+std::map<RegionId, RegionAppearance> appearancesOf(MappingPipeline& pipeline) {
   std::map<RegionId, std::vector<AppearancePoint>> points;
   const RegionTable& table = pipeline.labels().table();
   const auto done = pipeline.readout().forEachCloudPoint([&](const LabelPoint& point) {
-    AppearancePoint look{{point.x, point.y, point.z}, {}, COLOR_WEIGHT(point.color) > 0};
-    look.rgb = {static_cast<std::uint8_t>(COLOR_RED(point.color)),
-                static_cast<std::uint8_t>(COLOR_GREEN(point.color)),
-                static_cast<std::uint8_t>(COLOR_BLUE(point.color))};
-    points[table.regionOf(FragmentId{point.fragment})].push_back(look);
+    AppearancePoint colored{{point.x, point.y, point.z}, {}, COLOR_WEIGHT(point.color) > 0};
+    colored.rgb = {static_cast<std::uint8_t>(COLOR_RED(point.color)),
+                   static_cast<std::uint8_t>(COLOR_GREEN(point.color)),
+                   static_cast<std::uint8_t>(COLOR_BLUE(point.color))};
+    points[table.regionOf(FragmentId{point.fragment})].push_back(colored);
   });
   EXPECT_TRUE(done);
-  std::map<RegionId, RegionAppearance> observations;
+  std::map<RegionId, RegionAppearance> appearances;
   for (const auto& [region, all] : points) {
-    if (region && all.size() >= 200) observations[region] = appearanceOf(all);
+    if (region && all.size() >= 200) appearances[region] = appearanceOf(all);
   }
-  return observations;
+  return appearances;
 }
 
-class Equals : public testing::Test {
+class LikenessTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     SyntheticOptions options;
@@ -80,14 +80,14 @@ class Equals : public testing::Test {
     options.stride = 2;
     scan_ = new SyntheticScan(options, {}, true);
     scan_->run();
-    observations_ = new std::map(looksOf(scan_->pipeline()));
+    appearances_ = new std::map(appearancesOf(scan_->pipeline()));
   }
   static void TearDownTestSuite() {
-    delete observations_;
+    delete appearances_;
     delete scan_;
   }
 
-  /// The region with most of the instance's pixels over the frames.
+  /// The region with most pixels of the instance over every 15th frame.
   static RegionId regionOf(const std::string& name) {
     const int instance = scan_->source().scene().find(name);
     std::map<int, int> pixels;
@@ -103,40 +103,40 @@ class Equals : public testing::Test {
     return most == pixels.end() ? RegionId{} : RegionId{static_cast<std::uint32_t>(most->first)};
   }
 
-  /// All other regions, likest first.
-  static std::vector<std::pair<float, RegionId>> likeTo(RegionId region) {
+  /// All other regions, most similar first.
+  static std::vector<std::pair<float, RegionId>> rankedFor(RegionId region) {
     std::vector<std::pair<float, RegionId>> ranked;
-    for (const auto& [other, look] : *observations_) {
-      if (other != region) ranked.emplace_back(likeness(observations_->at(region), look), other);
+    for (const auto& [other, appearance] : *appearances_) {
+      if (other != region) ranked.emplace_back(likeness(appearances_->at(region), appearance), other);
     }
     std::ranges::sort(ranked, std::ranges::greater{}, [](const auto& one) { return one.first; });
     return ranked;
   }
 
-  /// Of any of the equals, the others come first, and clearly.
+  /// For each of the equal objects, the others rank first with a likeness above 0.75.
   template <std::size_t count>
   static void expectFirst(const std::array<const char*, count>& equals) {
     std::set<RegionId> regions;
     for (const char* name : equals) regions.insert(regionOf(name));
-    ASSERT_EQ(regions.size(), count) << "each is a region of its own";
+    ASSERT_EQ(regions.size(), count) << "each has its own region";
     for (const RegionId region : regions) {
-      ASSERT_TRUE(observations_->contains(region));
-      const auto ranked = likeTo(region);
+      ASSERT_TRUE(appearances_->contains(region));
+      const auto ranked = rankedFor(region);
       for (std::size_t i = 0; i < ranked.size() && i < count; ++i)
         std::cout << region.value << " ~ " << ranked[i].second.value << ": " << ranked[i].first << '\n';
       for (std::size_t i = 0; i + 1 < count; ++i) {
         EXPECT_TRUE(regions.contains(ranked[i].second)) << region.value;
-        EXPECT_GT(ranked[i].first, 0.75F) << region.value;  // RegionProposals' own limit
+        EXPECT_GT(ranked[i].first, 0.75F) << region.value;  // the limit of RegionProposals
       }
     }
   }
 
   static inline SyntheticScan* scan_ = nullptr;
-  static inline std::map<RegionId, RegionAppearance>* observations_ = nullptr;
+  static inline std::map<RegionId, RegionAppearance>* appearances_ = nullptr;
 };
 
-// In one, as each test is a process of its own.
-TEST_F(Equals, OneOfTwoMugsAndOneOfThreeBooksBringTheOthersFirst) {
+// One test, because each test runs as its own process and scans again.
+TEST_F(LikenessTest, EqualMugsAndBooksRankFirst) {
   expectFirst(kMugs);
   expectFirst(kBooks);
 }

@@ -17,8 +17,8 @@ namespace {
 using test::SyntheticScan;
 using testing::HasSubstr;
 
-/// Some metres of the corridor, coarse: some ten times as much as the budget of 9 MiB holds.
-SyntheticOptions walk() {
+/// A coarse scan of the corridor whose map is about ten times the budget of 9 MiB.
+SyntheticOptions corridorOptions() {
   SyntheticOptions options;
   options.set = synthetic::makeCorridorSet;
   options.K = Intrinsics{131, 131, 79.5F, 59.5F, 160, 120};
@@ -48,7 +48,7 @@ std::vector<Point> cloudOf(MappingPipeline& pipeline) {
   return cloud;
 }
 
-/// TMPDIR while it lives.
+/// Sets TMPDIR while it lives.
 class TemporaryFilesIn {
  public:
   explicit TemporaryFilesIn(const std::string& folder) {
@@ -69,54 +69,55 @@ class TemporaryFilesIn {
   std::string before_;
 };
 
-class MemoryBudget : public testing::Test {
+class MemoryBudgetTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    with_all_ = std::make_unique<SyntheticScan>(walk(), paramsWith(0), true);
-    with_all_->run();
-    cloud_ = cloudOf(with_all_->pipeline());
+    unlimited_ = std::make_unique<SyntheticScan>(corridorOptions(), paramsWith(0), true);
+    unlimited_->run();
+    cloud_ = cloudOf(unlimited_->pipeline());
   }
-  static void TearDownTestSuite() { with_all_.reset(); }
+  static void TearDownTestSuite() { unlimited_.reset(); }
 
-  static std::unique_ptr<SyntheticScan> with_all_;
+  static std::unique_ptr<SyntheticScan> unlimited_;
   static std::vector<Point> cloud_;
 };
 
-std::unique_ptr<SyntheticScan> MemoryBudget::with_all_;
-std::vector<Point> MemoryBudget::cloud_;
+std::unique_ptr<SyntheticScan> MemoryBudgetTest::unlimited_;
+std::vector<Point> MemoryBudgetTest::cloud_;
 
-TEST_F(MemoryBudget, ChangesNoPointLabelOrViewOfTheMap) {
-  ASSERT_EQ(with_all_->pipeline().bricks().storedBytes(), 0U);
-  SyntheticScan scan(walk(), paramsWith(9), true);
+TEST_F(MemoryBudgetTest, DoesNotChangePointsLabelsMeshOrViews) {
+  ASSERT_EQ(unlimited_->pipeline().bricks().storedBytes(), 0U);
+  SyntheticScan scan(corridorOptions(), paramsWith(9), true);
   scan.run();
   EXPECT_FALSE(scan.pipeline().bricks().takeFailure());
   const BrickMap& bricks = scan.pipeline().bricks();
-  EXPECT_EQ(bricks.brickCount(), with_all_->pipeline().bricks().brickCount());
-  EXPECT_LT(3 * bricks.device().brickCount(), bricks.brickCount()) << "most of the map had room";
+  EXPECT_EQ(bricks.brickCount(), unlimited_->pipeline().bricks().brickCount());
+  EXPECT_LT(3 * bricks.device().brickCount(), bricks.brickCount()) << "most of the map was on the device";
   EXPECT_LE(bricks.device().bytes(), std::size_t{9} << 20U);
-  EXPECT_EQ(scan.pipeline().labels().voxelsOfFragments(), with_all_->pipeline().labels().voxelsOfFragments());
+  EXPECT_EQ(scan.pipeline().labels().voxelsOfFragments(),
+            unlimited_->pipeline().labels().voxelsOfFragments());
   EXPECT_GT(cloud_.size(), 100000U);
   EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_);
   const auto mesh = scan.pipeline().readout().extractMesh();
-  const auto mesh_with_all = with_all_->pipeline().readout().extractMesh();
-  ASSERT_TRUE(mesh && *mesh && mesh_with_all && *mesh_with_all);
+  const auto mesh_unlimited = unlimited_->pipeline().readout().extractMesh();
+  ASSERT_TRUE(mesh && *mesh && mesh_unlimited && *mesh_unlimited);
   EXPECT_GT((*mesh)->faces.size(), 100000U);
   EXPECT_GT(2 * std::ranges::count((*mesh)->vertices, true, &SurfaceMesh::Vertex::has_color),
             std::ssize((*mesh)->vertices));
-  EXPECT_TRUE(**mesh == **mesh_with_all);
-  // What was left behind long ago, seen once more.
+  EXPECT_TRUE(**mesh == **mesh_unlimited);
+  // Renders bricks that moved to disk long ago.
   for (const std::size_t i : {std::size_t{0}, scan.frames.size() / 2}) {
     const cv::Mat view = scan.finalRegions(scan.frames[i]);
     EXPECT_GT(cv::countNonZero(view), view.rows * view.cols / 2);
-    EXPECT_EQ(cv::norm(view, with_all_->finalRegions(with_all_->frames[i]), cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(view, unlimited_->finalRegions(unlimited_->frames[i]), cv::NORM_INF), 0);
   }
-  EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_) << "after the views have moved bricks about";
+  EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_) << "after the views moved bricks";
 }
 
-TEST_F(MemoryBudget, WithoutADiskTheScanSaysSoAndGoesOn) {
+TEST_F(MemoryBudgetTest, ScanContinuesAndReportsIt_WithoutADisk) {
   const test::TemporaryFolder folder;
   const TemporaryFilesIn nowhere((folder.path() / "nowhere").string());
-  SyntheticScan scan(walk(), paramsWith(9), true);
+  SyntheticScan scan(corridorOptions(), paramsWith(9), true);
   scan.run();
   const auto failure = scan.pipeline().bricks().takeFailure();
   ASSERT_TRUE(failure);

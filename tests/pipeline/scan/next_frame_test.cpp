@@ -9,8 +9,8 @@
 namespace scantrove::test {
 namespace {
 
-/// A camera that is followed, has its lens covered, comes back, and jumps: poses of every kind.
-std::vector<RgbdFrame> film() {
+/// Frames with all kinds of poses: tracked, lens covered, found again, after a jump.
+std::vector<RgbdFrame> recordedFrames() {
   const auto source = makeSyntheticSource("room:7", {}).value();
   std::vector<RgbdFrame> frames;
   for (int i = 0; i < 34; ++i) {
@@ -23,10 +23,10 @@ std::vector<RgbdFrame> film() {
 
 struct Outcome {
   std::vector<FrameResult> results;
-  int told = 0;  ///< frames whose next one was asked for
+  int requests = 0;  ///< frames for which the next one was requested
 };
 
-/// `ahead`: the frame that is announced while number i is in work.
+/// `ahead`: the frame that is announced while frame i is processed.
 template <class Ahead>
 Outcome scan(ComputeContext& compute, const std::vector<RgbdFrame>& frames, Ahead&& ahead) {
   const Intrinsics K = SyntheticOptions{}.K;
@@ -34,7 +34,7 @@ Outcome scan(ComputeContext& compute, const std::vector<RgbdFrame>& frames, Ahea
   Outcome outcome;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     Result<FrameResult> result = pipeline->processFrame(frames[i], [&]() -> std::optional<RgbdFrame> {
-      ++outcome.told;
+      ++outcome.requests;
       return ahead(i);
     });
     EXPECT_TRUE(result) << result.error().message();
@@ -43,42 +43,42 @@ Outcome scan(ComputeContext& compute, const std::vector<RgbdFrame>& frames, Ahea
   return outcome;
 }
 
-void expectTheSame(const Outcome& a, const Outcome& b) {
+void expectSameResults(const Outcome& a, const Outcome& b) {
   ASSERT_EQ(a.results.size(), b.results.size());
   for (std::size_t i = 0; i < a.results.size(); ++i) {
-    const FrameResult& left = a.results[i];
-    const FrameResult& right = b.results[i];
-    ASSERT_EQ(left.pose.state, right.pose.state) << i;
-    ASSERT_EQ(left.pose.T_world_camera.matrix(), right.pose.T_world_camera.matrix()) << i;
-    ASSERT_EQ(left.view.vertices_world, right.view.vertices_world) << i;
-    ASSERT_EQ(left.view.regions, right.view.regions) << i;
-    ASSERT_EQ(left.late.size(), right.late.size()) << i;
-    ASSERT_EQ(left.is_tracking_key_frame, right.is_tracking_key_frame) << i;
+    const FrameResult& first = a.results[i];
+    const FrameResult& second = b.results[i];
+    ASSERT_EQ(first.pose.state, second.pose.state) << i;
+    ASSERT_EQ(first.pose.T_world_camera.matrix(), second.pose.T_world_camera.matrix()) << i;
+    ASSERT_EQ(first.view.vertices_world, second.view.vertices_world) << i;
+    ASSERT_EQ(first.view.regions, second.view.regions) << i;
+    ASSERT_EQ(first.late.size(), second.late.size()) << i;
+    ASSERT_EQ(first.is_tracking_key_frame, second.is_tracking_key_frame) << i;
   }
 }
 
-TEST(NextFrame, BegunBeforeItsTurnGivesTheSameResults) {
+TEST(NextFrame, GivesTheSameResults_WhenStartedEarly) {
   const auto compute = ComputeContext::create({}).value();
-  const std::vector<RgbdFrame> frames = film();
+  const std::vector<RgbdFrame> frames = recordedFrames();
   const Outcome in_turn = scan(*compute, frames, [](std::size_t) { return std::nullopt; });
   const Outcome ahead = scan(*compute, frames, [&](std::size_t i) {
     return i + 1 < frames.size() ? std::optional(frames[i + 1]) : std::nullopt;
   });
-  // Without a pose there is no labelling that anything could run beside.
+  // A frame without a pose has no labelling, so nothing runs beside it.
   EXPECT_EQ(in_turn.results[12].pose.usable(), false);
-  EXPECT_GT(ahead.told, 20);
-  expectTheSame(in_turn, ahead);
+  EXPECT_GT(ahead.requests, 20);
+  expectSameResults(in_turn, ahead);
 }
 
-// Nobody does that; a camera that is unplugged and plugged in again comes close.
-TEST(NextFrame, AnotherThanWasAnnouncedIsLookedAtAnew) {
+// The closest real case: a camera that is unplugged and plugged in again.
+TEST(NextFrame, IsProcessedAgain_WhenAnotherWasAnnounced) {
   const auto compute = ComputeContext::create({}).value();
-  const std::vector<RgbdFrame> frames = film();
+  const std::vector<RgbdFrame> frames = recordedFrames();
   const Outcome in_turn = scan(*compute, frames, [](std::size_t) { return std::nullopt; });
   const Outcome wrong = scan(*compute, frames, [&](std::size_t i) {
     return std::optional(frames[i % 3 == 0 ? 0 : std::min(i + 1, frames.size() - 1)]);
   });
-  expectTheSame(in_turn, wrong);
+  expectSameResults(in_turn, wrong);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ std::size_t newIn(const ScanReport& report) {
       report.objects, [](const CollectedObject& object) { return object.recognized_from.empty(); }));
 }
 
-// Floors: peers reach 28 to 47 mm over the whole recording. The second scan meets the same things again.
-TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognizedTheSecondTime) {
+// Other systems reach 28 to 47 mm over the complete recording. The second scan sees the same objects again.
+TEST(Kitchen, IsTrackedCompletely_AndItsObjectsAreRecognizedAgain) {
   SCANTROVE_NEED_RECORDING(recording, "kitchen");
   const test::TemporaryFolder out;
   const ScanEnding first = runScan(scanOf(recording, out.path() / "first"));
@@ -46,8 +46,8 @@ TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognizedTheSecondTime) {
   EXPECT_EQ(first.report->frames.lost, 0);
   const double ate = trajectoryError(out.path() / "first", recording);
   EXPECT_LT(ate, 0.040);
-  EXPECT_GE(first.report->objects.size(), 3U) << "mugs, boxes, books stand on this table";
-  // Objects whose regions join become one, and some turn out not to be what their views show.
+  EXPECT_GE(first.report->objects.size(), 3U) << "mugs, boxes and books are on this table";
+  // Objects whose regions join are merged, and some are removed again.
   EXPECT_EQ(first.added.size() - first.merged.size() - first.removed.size(), first.report->objects.size());
 
   ScanRequest again = scanOf(recording, out.path() / "second");
@@ -57,9 +57,9 @@ TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognizedTheSecondTime) {
   std::cout << "kitchen: ATE " << 1000 * ate << " mm, " << first.report->fps << " fps, "
             << first.report->objects.size() << " objects; second scan: " << second.recognized.size()
             << " recognised, " << second.added.size() << " added, " << newIn(*second.report)
-            << " of them new to the end\n";
+            << " of them still new at the end\n";
   EXPECT_GE(2 * second.recognized.size(), first.report->objects.size());
-  // Some are known again only when everything was looked at once more.
+  // Some objects are recognised only in the refinement.
   EXPECT_LE(5 * newIn(*second.report), first.report->objects.size());
 }
 
@@ -76,8 +76,8 @@ TEST(Redwood, IsTrackedWithinTwentyMillimeters) {
   EXPECT_LT(ate, 0.020);
 }
 
-// Mostly rotation, with blur: frames may be lost, but each is then said to be.
-TEST(Desk, RunsToItsEndAndSaysWhichFramesWereLost) {
+// Mostly rotation, with blur: frames may be lost, but the report must name each.
+TEST(Desk, IsScannedToItsEnd_AndLostFramesAreReported) {
   SCANTROVE_NEED_RECORDING(recording, "desk");
   const test::TemporaryFolder out;
   const ScanEnding ending = runScan(scanOf(recording, out.path()));
@@ -89,7 +89,7 @@ TEST(Desk, RunsToItsEndAndSaysWhichFramesWereLost) {
   const Result<Trajectory> estimate = readTrajectory(out.path() / "trajectory.txt");
   ASSERT_TRUE(estimate);
   EXPECT_EQ(static_cast<int>(estimate->size()), report.frames.tracked);
-  // What is not called lost must be right: 50 mm over a motion of half a metre is no accident of alignment.
+  // All other poses must be right: alignment alone cannot give 50 mm over a motion of half a metre.
   const double ate = trajectoryError(out.path(), recording);
   std::cout << "desk: " << report.frames.lost << " of " << report.frames.read
             << " frames lost, ATE of the others " << 1000 * ate << " mm\n";

@@ -31,7 +31,7 @@ ScanRequest requestIn(const test::TemporaryFolder& folder) {
   return request;
 }
 
-TEST(Refinement, TellsHowFarItIs) {
+TEST(Refinement, ReportsItsProgress) {
   const test::TemporaryFolder folder;
   const ScanEnding ending = runScan(requestIn(folder));
   ASSERT_TRUE(ending.report) << ending.error;
@@ -41,7 +41,7 @@ TEST(Refinement, TellsHowFarItIs) {
   EXPECT_EQ(first.keyFrame(), 1);
   int last_done = 0, last_key_frame = 1;
   for (const RefinementStepped& step : ending.refinement) {
-    EXPECT_EQ(step.steps, first.steps) << "how much there is does not change on the way";
+    EXPECT_EQ(step.steps, first.steps) << "the total is constant";
     EXPECT_EQ(step.key_frames, first.key_frames);
     EXPECT_GE(step.done, last_done);
     EXPECT_GE(step.keyFrame(), last_key_frame);
@@ -56,7 +56,7 @@ TEST(Refinement, TellsHowFarItIs) {
   EXPECT_FALSE(ending.report->refinement.skipped);
 }
 
-TEST(Refinement, IsLeftForLaterWhenAsked) {
+TEST(Refinement, IsSkipped_WhenRequested) {
   const test::TemporaryFolder folder;
   ScanRequest request = requestIn(folder);
   request.skip_refinement = true;
@@ -67,32 +67,32 @@ TEST(Refinement, IsLeftForLaterWhenAsked) {
   EXPECT_TRUE(ending.report->refinement.skipped);
 }
 
-/// What a scan has made: the cloud with its labels, and the objects with the frames of their views.
-struct Made {
+/// Results of a scan: the cloud, its labels, and the objects with their views ("name: frame/pixels ...").
+struct Results {
   std::string cloud, labels;
   std::vector<std::string> objects;
   bool can_be_refined = false;
 };
 
-Made madeIn(const test::TemporaryFolder& folder) {
-  Made made;
-  made.cloud = test::readText(folder / "out/cloud.ply");
-  made.labels = test::readText(folder / "out/labels.json");
+Results resultsIn(const test::TemporaryFolder& folder) {
+  Results results;
+  results.cloud = test::readText(folder / "out/cloud.ply");
+  results.labels = test::readText(folder / "out/labels.json");
   const auto database = ObjectDatabase::open((folder / "catalogue.sqlite").string());
-  if (!database) return made;
+  if (!database) return results;
   const auto objects = (*database)->objects();
   for (const ObjectRecord& object : *objects) {
     std::string text = object.name + ":";
     const auto views = (*database)->views().of(object.id);
     for (const ObjectView& view : *views)
       text += " " + std::to_string(view.frame_index) + "/" + std::to_string(cv::countNonZero(view.mask));
-    made.objects.push_back(std::move(text));
+    results.objects.push_back(std::move(text));
   }
   const auto session = SessionStore::open(folder / "out");
-  if (!session) return made;
+  if (!session) return results;
   const auto scan = (*session)->load();
-  made.can_be_refined = canBeRefined(scan->metadata);
-  return made;
+  results.can_be_refined = canBeRefined(scan->metadata);
+  return results;
 }
 
 ScanRequest requestToRefine(const test::TemporaryFolder& folder) {
@@ -102,7 +102,7 @@ ScanRequest requestToRefine(const test::TemporaryFolder& folder) {
   return request;
 }
 
-/// Runs `request` and skips the refinement at that step of it.
+/// Runs `request` and skips the refinement after `step` steps.
 ScanReport runUntilStep(ScanRequest request, int step) {
   const test::QtMainThread qt;
   ScanReport report;
@@ -118,92 +118,92 @@ ScanReport runUntilStep(ScanRequest request, int step) {
   return report;
 }
 
-class RefinementLater : public testing::Test {
+class LaterRefinementTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     const test::TemporaryFolder folder;
     const ScanEnding ending = runScan(requestIn(folder));
     ASSERT_TRUE(ending.report) << ending.error;
     steps_ = ending.refinement.front().steps;
-    direct_ = madeIn(folder);
+    direct_ = resultsIn(folder);
     ASSERT_FALSE(direct_.objects.empty());
     ASSERT_FALSE(direct_.can_be_refined);
   }
   static void expectAsDirect(const test::TemporaryFolder& folder) {
-    const Made made = madeIn(folder);
-    EXPECT_THAT(made.objects, testing::ElementsAreArray(direct_.objects));
-    EXPECT_EQ(made.labels, direct_.labels);
-    // Labels of a few voxels at borders may fall to the other side.
-    ASSERT_EQ(made.cloud.size(), direct_.cloud.size());
-    const auto equal = std::inner_product(made.cloud.begin(), made.cloud.end(), direct_.cloud.begin(),
+    const Results results = resultsIn(folder);
+    EXPECT_THAT(results.objects, testing::ElementsAreArray(direct_.objects));
+    EXPECT_EQ(results.labels, direct_.labels);
+    // Labels of a few voxels at borders may differ.
+    ASSERT_EQ(results.cloud.size(), direct_.cloud.size());
+    const auto equal = std::inner_product(results.cloud.begin(), results.cloud.end(), direct_.cloud.begin(),
                                           std::size_t{0}, std::plus<>(), std::equal_to<>());
-    EXPECT_LT(made.cloud.size() - equal, made.cloud.size() / 2000);
-    EXPECT_FALSE(made.can_be_refined);
+    EXPECT_LT(results.cloud.size() - equal, results.cloud.size() / 2000);
+    EXPECT_FALSE(results.can_be_refined);
   }
   static int steps_;
-  static Made direct_;
+  static Results direct_;
 };
-int RefinementLater::steps_ = 0;
-Made RefinementLater::direct_;
+int LaterRefinementTest::steps_ = 0;
+Results LaterRefinementTest::direct_;
 
-TEST_F(RefinementLater, GivesWhatItGivesAtOnce_WhenSkipped) {
+TEST_F(LaterRefinementTest, GivesTheSameResults_AsAtOnce) {
   const test::TemporaryFolder folder;
   ScanRequest request = requestIn(folder);
   request.skip_refinement = true;
   ASSERT_TRUE(runScan(std::move(request)).report);
-  const Made skipped = madeIn(folder);
+  const Results skipped = resultsIn(folder);
   EXPECT_TRUE(skipped.can_be_refined);
-  EXPECT_NE(skipped.cloud, direct_.cloud) << "there is something to refine";
+  EXPECT_NE(skipped.cloud, direct_.cloud) << "refinement changes nothing: the test shows nothing";
   const ScanEnding ending = runScan(requestToRefine(folder));
   ASSERT_TRUE(ending.report) << ending.error;
   EXPECT_FALSE(ending.report->refinement.skipped);
   expectAsDirect(folder);
   const auto report = nlohmann::json::parse(test::readText(folder / "out/report.json"));
   EXPECT_EQ(report["refinement"]["skipped"], false);
-  EXPECT_GT(report["fps"], 0) << "the scan's own";
+  EXPECT_GT(report["fps"], 0) << "the frame rate of the scan";
   EXPECT_EQ(report["objects"].size(), direct_.objects.size());
 }
 
-TEST_F(RefinementLater, GoesOnWhereItWasLeft) {
+TEST_F(LaterRefinementTest, ContinuesWhereItStopped) {
   const test::TemporaryFolder folder;
-  // In the first pass, and in the one in which objects are collected.
+  // Stops in the first pass, then in the pass that collects objects.
   EXPECT_TRUE(runUntilStep(requestIn(folder), steps_ / 6).refinement.skipped);
-  EXPECT_TRUE(madeIn(folder).can_be_refined);
+  EXPECT_TRUE(resultsIn(folder).can_be_refined);
   EXPECT_TRUE(runUntilStep(requestToRefine(folder), steps_ * 7 / 10).refinement.skipped);
-  EXPECT_TRUE(madeIn(folder).can_be_refined);
+  EXPECT_TRUE(resultsIn(folder).can_be_refined);
   const ScanEnding ending = runScan(requestToRefine(folder));
   ASSERT_TRUE(ending.report) << ending.error;
   EXPECT_GT(ending.refinement.front().done, steps_ / 2);
   expectAsDirect(folder);
 }
 
-TEST_F(RefinementLater, KeepsWhatAPersonSaidMeanwhile) {
+TEST_F(LaterRefinementTest, KeepsEditsMadeBefore) {
   const test::TemporaryFolder folder;
   ScanRequest request = requestIn(folder);
   request.skip_refinement = true;
   ASSERT_TRUE(runScan(std::move(request)).report);
-  RegionId named;
+  RegionId edited;
   {
     const test::QtMainThread qt;
     auto session = OpenSession::open(folder / "out");
     ASSERT_TRUE(session) << session.error().message();
     EXPECT_TRUE((*session)->canBeRefined());
     const auto regions = (*session)->regions();
-    named = std::ranges::max_element(*regions, {}, &RegionSummary::voxels)->region;
+    edited = std::ranges::max_element(*regions, {}, &RegionSummary::voxels)->region;
     Operation operation;
     operation.kind = OperationKind::background;
-    operation.regions = {named};
+    operation.regions = {edited};
     ASSERT_TRUE((*session)->edit(operation));
   }
   ASSERT_TRUE(runScan(requestToRefine(folder)).report);
   const test::QtMainThread qt;
   const auto session = OpenSession::open(folder / "out");
   ASSERT_TRUE(session) << session.error().message();
-  EXPECT_TRUE((*session)->noteOf(named).background);
+  EXPECT_TRUE((*session)->noteOf(edited).background);
   EXPECT_EQ((*session)->history().entries().size(), 1U);
 }
 
-TEST_F(RefinementLater, SaysThatTheCatalogueIsAnotherOne) {
+TEST_F(LaterRefinementTest, RefusesAMissingOrForeignCatalogue) {
   const test::TemporaryFolder folder;
   ScanRequest request = requestIn(folder);
   request.skip_refinement = true;
@@ -211,13 +211,13 @@ TEST_F(RefinementLater, SaysThatTheCatalogueIsAnotherOne) {
   const test::QtMainThread qt;
   std::filesystem::remove(folder / "catalogue.sqlite");
   EXPECT_THAT(runScan(requestToRefine(folder)).error, testing::HasSubstr("is not there"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "catalogue.sqlite")) << "none is made";
+  EXPECT_FALSE(std::filesystem::exists(folder / "catalogue.sqlite")) << "no catalogue is made";
   ASSERT_TRUE(ObjectDatabase::open((folder / "catalogue.sqlite").string()));
   EXPECT_THAT(runScan(requestToRefine(folder)).error, testing::HasSubstr("catalogue"));
-  EXPECT_TRUE(madeIn(folder).can_be_refined);
+  EXPECT_TRUE(resultsIn(folder).can_be_refined);
 }
 
-TEST(Refinement, EndsAtTheNextFrame_WhenSkipped) {
+TEST(Refinement, EndsAtTheNextFrame_WhenSkippedDuringIt) {
   const test::TemporaryFolder folder;
   const test::QtMainThread qt;
   std::atomic<int> steps = 0;
@@ -239,7 +239,7 @@ TEST(Refinement, EndsAtTheNextFrame_WhenSkipped) {
                                            ScanState::refining, ScanState::finishing, ScanState::finished));
 }
 
-TEST(Refinement, NeedsASession) {
+TEST(Refinement, IsOmitted_WithoutASession) {
   const test::TemporaryFolder folder;
   ScanRequest request = requestIn(folder);
   request.session = false;
@@ -269,7 +269,7 @@ TEST(Refinement, IsSkipped_WhenTheProgramIsClosed) {
   }
   worker.post(CloseScan{});
   worker.wait();
-  EXPECT_TRUE(has_finished) << "all else is kept";
+  EXPECT_TRUE(has_finished) << "the scan finishes with its other results";
   EXPECT_EQ(steps, 0);
 }
 

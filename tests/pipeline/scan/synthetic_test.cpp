@@ -8,17 +8,17 @@ namespace {
 
 using test::SyntheticScan;
 
-SyntheticOptions film(synthetic::SceneRecipe (*set)(), int frames) {
+SyntheticOptions optionsOf(synthetic::SceneRecipe (*set)(), int frames) {
   SyntheticOptions options;
   options.set = set;
   options.frames = frames;
   return options;
 }
 
-// The thesis' central claims on a scene with exact truth: poses are right, and merging over time brings the
-// boundaries nearer to the truth than the same frames alone (table 4.1).
-TEST(SyntheticTabletop, TracksWithinTenMillimetersAndMergingBeatsSingleFrames) {
-  SyntheticScan scan(film(synthetic::makeTabletopSet, 100));
+// The central claims of the thesis on a scene with exact truth: poses are right, and merging over time gives
+// better boundaries than single frames (table 4.1).
+TEST(SyntheticTabletop, TracksWithinTenMillimeters_AndMergingImprovesBoundaries) {
+  SyntheticScan scan(optionsOf(synthetic::makeTabletopSet, 100));
   scan.run();
   ASSERT_EQ(scan.frames.size(), 100U);
   for (const auto& frame : scan.frames) EXPECT_TRUE(frame.pose.usable());
@@ -28,10 +28,10 @@ TEST(SyntheticTabletop, TracksWithinTenMillimetersAndMergingBeatsSingleFrames) {
 
   std::vector<SegmentationMetrics> single;
   std::vector<SegmentationMetrics> merged;
-  for (std::size_t i = 20; i < scan.frames.size(); i += 4) {  // the first frames have nothing to merge yet
+  for (std::size_t i = 20; i < scan.frames.size(); i += 4) {  // too little is merged in the first frames
     const auto& frame = scan.frames[i];
     single.push_back(evaluateSegmentation(frame.segments, frame.instances));
-    // As known at the frame: both have the same pixels without surface, so neither gains by fewer holes.
+    // Regions as known at the frame: both images have the same pixels without surface.
     merged.push_back(evaluateSegmentation(frame.regions, frame.instances));
   }
   const double single_error = averaged(single).boundary_error;
@@ -44,9 +44,9 @@ TEST(SyntheticTabletop, TracksWithinTenMillimetersAndMergingBeatsSingleFrames) {
   EXPECT_LT(merged_error, single_error);
 }
 
-// Thesis 4.3: segments of a non-convex object join once a convex connection was seen.
-TEST(SyntheticLBlock, TwoSegmentsInTheFirstFrameAreOneRegionAtTheEnd) {
-  SyntheticScan scan(film(test::makeLBlockSet, 0));
+// Thesis 4.3: segments of a non-convex object merge once a convex connection was seen.
+TEST(SyntheticLBlock, SegmentsMergeIntoOneRegion) {
+  SyntheticScan scan(optionsOf(test::makeLBlockSet, 0));
   scan.run();
   ASSERT_GE(scan.frames.size(), 100U);
   const int block = scan.source().scene().find("L block");
@@ -55,7 +55,7 @@ TEST(SyntheticLBlock, TwoSegmentsInTheFirstFrameAreOneRegionAtTheEnd) {
   EXPECT_GE(SyntheticScan::labelsOf(first.segments, first.instances, block, 0.15).size(), 2U);
   const auto& last = scan.frames.back();
   EXPECT_EQ(SyntheticScan::labelsOf(scan.finalRegions(last), last.instances, block, 0.05).size(), 1U);
-  // ... and not together with what it stands on.
+  // The block is not merged with the table.
   const int table = scan.source().scene().find("table");
   ASSERT_GT(table, 0);
   const cv::Mat regions = scan.finalRegions(last);
@@ -63,14 +63,14 @@ TEST(SyntheticLBlock, TwoSegmentsInTheFirstFrameAreOneRegionAtTheEnd) {
             SyntheticScan::labelsOf(regions, last.instances, table, 0.5));
 }
 
-// Thesis 4.5: the floor that a chair cuts in pieces becomes one region and stays one.
-TEST(SyntheticChairFloor, TheFloorCutByTheChairIsOneRegionAtTheEnd) {
-  SyntheticScan scan(film(test::makeChairFloorSet, 0));
+// Thesis 4.5: the floor that a chair splits becomes one region and stays one.
+TEST(SyntheticChairFloor, FloorSplitByTheChairBecomesOneRegion) {
+  SyntheticScan scan(optionsOf(test::makeChairFloorSet, 0));
   scan.run();
   const int floor = 1;
   const auto& first = scan.frames.front();
   EXPECT_GE(SyntheticScan::labelsOf(first.segments, first.instances, floor, 0.05).size(), 2U)
-      << "the first frame should show the floor in pieces";
+      << "the first frame does not show the floor in pieces";
   const auto& last = scan.frames.back();
   EXPECT_EQ(SyntheticScan::labelsOf(scan.finalRegions(last), last.instances, floor, 0.02).size(), 1U);
   const int chair = scan.source().scene().find("chair");
@@ -78,7 +78,7 @@ TEST(SyntheticChairFloor, TheFloorCutByTheChairIsOneRegionAtTheEnd) {
   const cv::Mat regions = scan.finalRegions(last);
   const auto floor_label = SyntheticScan::labelsOf(regions, last.instances, floor, 0.5);
   for (const int label : SyntheticScan::labelsOf(regions, last.instances, chair, 0.3)) {
-    EXPECT_NE(label, floor_label.at(0)) << "the chair has leaked into the floor";
+    EXPECT_NE(label, floor_label.at(0)) << "a part of the chair is merged with the floor";
   }
 }
 

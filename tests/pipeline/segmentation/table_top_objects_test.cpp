@@ -16,8 +16,7 @@ constexpr Intrinsics kCamera{525, 525, 319.5F, 239.5F, 640, 480};
 constexpr int kImages = 45;
 constexpr int kMinArea_px = 200;
 
-/// One frame through the chain of a scan: filter, map, raycast, segment. At the resolution of the depth
-/// image.
+/// Segments of one frame as in a scan (filter, map, raycast, segment), at the resolution of the depth image.
 std::vector<std::uint32_t> segmentsOf(ComputeContext& compute, const cv::Mat& depth) {
   const FusionParams fusion;
   auto preprocessor = DepthPreprocessor::create(compute, kCamera, fusion);
@@ -37,8 +36,7 @@ std::vector<std::uint32_t> segmentsOf(ComputeContext& compute, const cv::Mat& de
       .apply(segments.ids);
 }
 
-/// For each object of the ground truth (label / 10 from 2 on) the best intersection over union of any
-/// segment.
+/// For each true object (label / 10 >= 2), the best intersection over union with a segment.
 std::vector<double> bestOverlaps(const cv::Mat& labels, const std::vector<std::uint32_t>& segments) {
   std::map<int, int> object_area;
   std::map<std::uint32_t, int> segment_area;
@@ -62,7 +60,7 @@ std::vector<double> bestOverlaps(const cv::Mat& labels, const std::vector<std::u
   return result;
 }
 
-TEST(TableTopObjects, MeanBestOverlapOfSingleFrames) {
+TEST(TableTopObjects, SegmentsOfSingleFramesMatchObjects) {
   SCANTROVE_NEED_RECORDING(folder, "mosd");
   auto compute = ComputeContext::create({});
   ASSERT_TRUE(compute) << compute.error().message();

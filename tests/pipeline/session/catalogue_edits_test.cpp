@@ -10,19 +10,19 @@
 namespace scantrove {
 namespace {
 
-/// A person at the catalogue while frames run.
-class EditsDuringAScan : public test::ScanWorkerTest {
+/// A user edits the catalogue during a scan.
+class CatalogueEditsTest : public test::ScanWorkerTest {
  protected:
   static constexpr int kFrames = 120;
 
   [[nodiscard]] ScanRequest table(const std::string& database) const {
     ScanRequest requested = request(kFrames);
     requested.database = (folder_ / database).string();
-    requested.output_folder = folder_ / ("of-" + database);  // what is kept there is looked at again
+    requested.output_folder = folder_ / ("of-" + database);  // refinement needs the stored key frames
     return requested;
   }
 
-  /// Waits until the scan has added so many objects; their ids.
+  /// Waits until the scan has added `count` objects. Result: their ids; empty when they do not come.
   std::vector<ObjectId> awaitObjects(std::size_t count) {
     for (int i = 0; i < 12000; ++i) {
       const std::vector<ObjectAdded> added = log_.all<ObjectAdded>();
@@ -50,8 +50,8 @@ class EditsDuringAScan : public test::ScanWorkerTest {
   }
 };
 
-TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
-  // What the scan finds when nobody interferes.
+TEST_F(CatalogueEditsTest, ScanKeepsEditsMadeDuringIt) {
+  // The reference: a scan without edits.
   const ScanRequest quiet = table("quiet.sqlite");
   worker_.post(StartScan{quiet});
   worker_.wait();
@@ -65,7 +65,7 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
   worker_.post(StartScan{busy});
   const std::vector<ObjectId> all = awaitObjects(added_quietly + 8);
   ASSERT_GE(all.size(), added_quietly + 8);
-  // Both scans see the same. What turns out to be something else later on would be kept by a person's word.
+  // Both scans see the same. Objects that change later are left out: an edit would keep them.
   std::vector<ObjectId> objects(all.begin() + static_cast<std::ptrdiff_t>(added_quietly), all.end());
   std::erase_if(objects, [&](ObjectId object) {
     return test::OtherProgram(quiet.database)
@@ -74,14 +74,14 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
                         .arg(object.value)) != "0";
   });
   ASSERT_GE(objects.size(), 4U);
-  const std::unique_ptr<ObjectDatabase> person = open(busy);
-  ASSERT_TRUE(person->rename(objects[0], "my mug"));
-  ASSERT_TRUE(person->setConfirmed(std::array{objects[1]}, true));
-  ASSERT_TRUE(person->remove(std::array{objects[2], objects[3]}));
+  const std::unique_ptr<ObjectDatabase> user = open(busy);
+  ASSERT_TRUE(user->rename(objects[0], "my mug"));
+  ASSERT_TRUE(user->setConfirmed(std::array{objects[1]}, true));
+  ASSERT_TRUE(user->remove(std::array{objects[2], objects[3]}));
   worker_.post(ApplyCatalogueChanges{});
   letFramesPass(20);
-  ASSERT_TRUE(person->restore(std::array{objects[3]}));
-  const Result<ObjectMerge> merge = person->merge(std::array{objects[0], objects[1]});
+  ASSERT_TRUE(user->restore(std::array{objects[3]}));
+  const Result<ObjectMerge> merge = user->merge(std::array{objects[0], objects[1]});
   ASSERT_TRUE(merge);
   worker_.post(ApplyCatalogueChanges{});
   letFramesPass(5);
@@ -90,22 +90,22 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
   ASSERT_EQ(worker_.state(), ScanState::finished);
   EXPECT_TRUE(log_.all<CatalogueFailed>().empty());
 
-  const std::vector<ObjectRecord> left = *person->objects();
-  EXPECT_EQ(left.size(), found - 2) << "one is deleted, two are one, and nothing has come twice";
+  const std::vector<ObjectRecord> remaining = *user->objects();
+  EXPECT_EQ(remaining.size(), found - 2) << "one is deleted, two are merged, and none is added again";
   const auto record = [&](ObjectId object) {
-    const auto at = std::ranges::find(left, object, &ObjectRecord::id);
-    return at == left.end() ? ObjectRecord{} : *at;
+    const auto at = std::ranges::find(remaining, object, &ObjectRecord::id);
+    return at == remaining.end() ? ObjectRecord{} : *at;
   };
   EXPECT_EQ(merge->into, objects[0]);
   EXPECT_EQ(record(objects[0]).name, "my mug");
-  EXPECT_TRUE(record(objects[0]).confirmed) << "one of the two was";
+  EXPECT_TRUE(record(objects[0]).confirmed) << "one of the merged objects was confirmed";
   EXPECT_FALSE(record(objects[1]).id);
   EXPECT_FALSE(record(objects[2]).id);
   EXPECT_EQ(record(objects[3]).id, objects[3]);
-  EXPECT_EQ(*person->mergeRoot(objects[1]), objects[0]);
+  EXPECT_EQ(*user->mergeRoot(objects[1]), objects[0]);
 }
 
-TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
+TEST_F(CatalogueEditsTest, PausedScanShowsEdits) {
   ScanRequest requested = table("paused.sqlite");
   worker_.post(StartScan{requested});
   ASSERT_FALSE(awaitObjects(4).empty());
@@ -119,16 +119,16 @@ TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
       std::ranges::find_if(paused->objects, [](const SeenObject& seen) { return !!seen.object; });
   ASSERT_NE(shown, paused->objects.end());
   const ObjectId object = shown->object;
-  ASSERT_TRUE(open(requested)->rename(object, "called while paused"));
+  ASSERT_TRUE(open(requested)->rename(object, "named while paused"));
   worker_.post(ApplyCatalogueChanges{});
-  bool is_seen = false;
-  while (!is_seen) {
+  bool is_shown = false;
+  while (!is_shown) {
     const auto snapshot = awaitSnapshot(1);
-    ASSERT_TRUE(snapshot) << "the name was never seen";
-    is_seen = std::ranges::any_of(snapshot->objects, [&](const SeenObject& seen) {
-      return seen.object == object && seen.name == "called while paused";
+    ASSERT_TRUE(snapshot) << "no snapshot has the name";
+    is_shown = std::ranges::any_of(snapshot->objects, [&](const SeenObject& seen) {
+      return seen.object == object && seen.name == "named while paused";
     });
-    EXPECT_TRUE(!is_seen || snapshot->state == ScanState::paused);
+    EXPECT_TRUE(!is_shown || snapshot->state == ScanState::paused);
   }
   worker_.post(StopScan{});
   worker_.wait();

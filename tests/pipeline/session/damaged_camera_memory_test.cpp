@@ -1,4 +1,4 @@
-// A session goes on without its camera memory, and says so.
+// A scan resumes without its camera memory and reports that.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,7 @@
 namespace scantrove::test {
 namespace {
 
-class DamagedCameraMemory : public ScanWorkerTest {
+class DamagedCameraMemoryTest : public ScanWorkerTest {
  protected:
   [[nodiscard]] ScanRequest part(int first, int frames) const {
     ScanRequest scan = request(frames);
@@ -18,7 +18,7 @@ class DamagedCameraMemory : public ScanWorkerTest {
     return scan;
   }
 
-  /// Scans 6 frames, changes the session, and scans 4 more. Result: sentences about damage.
+  /// Scans 6 frames, applies `change` to the session, and scans 4 more. Result: messages about damage.
   std::vector<std::string> resumeAfter(const std::string& change) {
     worker_.post(StartScan{part(0, 6)});
     worker_.wait();
@@ -30,27 +30,27 @@ class DamagedCameraMemory : public ScanWorkerTest {
     worker_.post(StartScan{part(6, 4)});
     worker_.wait();
     EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
-    std::vector<std::string> sentences;
-    for (const MapFailed& failure : log_.all<MapFailed>()) sentences.push_back(failure.error.message());
-    return sentences;
+    std::vector<std::string> messages;
+    for (const MapFailed& failure : log_.all<MapFailed>()) messages.push_back(failure.error.message());
+    return messages;
   }
 
-  void expectOneSentence(const std::vector<std::string>& sentences) {
-    ASSERT_EQ(sentences.size(), 1U);
-    EXPECT_NE(sentences[0].find("camera memory"), std::string::npos) << sentences[0];
-    EXPECT_NE(sentences[0].find("may take longer to find its place"), std::string::npos) << sentences[0];
+  void expectOneMessage(const std::vector<std::string>& messages) {
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_NE(messages[0].find("camera memory"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("may take longer to find its place"), std::string::npos) << messages[0];
     EXPECT_EQ(log_.all<ScanFinished>().back().report.frames.lost, 0);
   }
 };
 
-TEST_F(DamagedCameraMemory, IsNotMentioned_WhenItIsWhole) { EXPECT_TRUE(resumeAfter("").empty()); }
+TEST_F(DamagedCameraMemoryTest, IsNotReported_WhenItIsValid) { EXPECT_TRUE(resumeAfter("").empty()); }
 
-TEST_F(DamagedCameraMemory, IsReportedOnce_WhenItsBytesChanged) {
-  expectOneSentence(resumeAfter("UPDATE camera SET packed = zeroblob(40)"));
+TEST_F(DamagedCameraMemoryTest, IsReportedOnce_WhenItsBytesChanged) {
+  expectOneMessage(resumeAfter("UPDATE camera SET packed = zeroblob(40)"));
 }
 
-TEST_F(DamagedCameraMemory, IsReportedOnce_WhenItIsMissing) {
-  expectOneSentence(resumeAfter("DELETE FROM camera"));
+TEST_F(DamagedCameraMemoryTest, IsReportedOnce_WhenItIsMissing) {
+  expectOneMessage(resumeAfter("DELETE FROM camera"));
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ namespace {
 constexpr int kAll = std::numeric_limits<int>::max();
 std::atomic<int> calls_made{0}, calls_that_work{kAll};
 
-bool isDeviceThere() { return calls_made++ < calls_that_work; }
+bool deviceWorks() { return calls_made++ < calls_that_work; }
 
-/// The library's function behind this program's.
+/// The library's function that this program replaces.
 template <class Function>
-Function* behind(const char* name) {
+Function* libraryFunction(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
@@ -62,42 +62,42 @@ FullDisk::~FullDisk() {
 
 }  // namespace scantrove::test
 
-using scantrove::test::behind;
-using scantrove::test::isDeviceThere;
+using scantrove::test::deviceWorks;
+using scantrove::test::libraryFunction;
 
 extern "C" {
 
 cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions,
                               const size_t* offset, const size_t* global, const size_t* local, cl_uint waits,
                               const cl_event* wait, cl_event* event) {
-  static auto* const real = behind<decltype(clEnqueueNDRangeKernel)>("clEnqueueNDRangeKernel");
-  if (!isDeviceThere()) return CL_DEVICE_NOT_AVAILABLE;
+  static auto* const real = libraryFunction<decltype(clEnqueueNDRangeKernel)>("clEnqueueNDRangeKernel");
+  if (!deviceWorks()) return CL_DEVICE_NOT_AVAILABLE;
   return real(queue, kernel, dimensions, offset, global, local, waits, wait, event);
 }
 
 cl_int clEnqueueReadBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking, size_t offset,
                            size_t size, void* to, cl_uint waits, const cl_event* wait, cl_event* event) {
-  static auto* const real = behind<decltype(clEnqueueReadBuffer)>("clEnqueueReadBuffer");
-  if (!isDeviceThere()) return CL_DEVICE_NOT_AVAILABLE;
+  static auto* const real = libraryFunction<decltype(clEnqueueReadBuffer)>("clEnqueueReadBuffer");
+  if (!deviceWorks()) return CL_DEVICE_NOT_AVAILABLE;
   return real(queue, buffer, blocking, offset, size, to, waits, wait, event);
 }
 
 cl_int clEnqueueWriteBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking, size_t offset,
                             size_t size, const void* from, cl_uint waits, const cl_event* wait,
                             cl_event* event) {
-  static auto* const real = behind<decltype(clEnqueueWriteBuffer)>("clEnqueueWriteBuffer");
-  if (!isDeviceThere()) return CL_DEVICE_NOT_AVAILABLE;
+  static auto* const real = libraryFunction<decltype(clEnqueueWriteBuffer)>("clEnqueueWriteBuffer");
+  if (!deviceWorks()) return CL_DEVICE_NOT_AVAILABLE;
   return real(queue, buffer, blocking, offset, size, from, waits, wait, event);
 }
 
 cl_int clFinish(cl_command_queue queue) {
-  static auto* const real = behind<decltype(clFinish)>("clFinish");
-  if (!isDeviceThere()) return CL_DEVICE_NOT_AVAILABLE;
+  static auto* const real = libraryFunction<decltype(clFinish)>("clFinish");
+  if (!deviceWorks()) return CL_DEVICE_NOT_AVAILABLE;
   return real(queue);
 }
 
 ssize_t write(int file, const void* bytes, size_t count) {
-  static auto* const real = behind<ssize_t(int, const void*, size_t)>("write");
+  static auto* const real = libraryFunction<ssize_t(int, const void*, size_t)>("write");
   if (scantrove::test::isFull(file)) {
     errno = ENOSPC;
     return -1;

@@ -3,19 +3,19 @@
 
 namespace scantrove::test {
 
-/// An OpenCL device that can be taken away. The functions that queue work, and wait for it, are this
-/// program's own and stand before the library's.
+/// An OpenCL device that can fail. This program's functions that queue work and wait for it replace those of
+/// the library and call them.
 namespace failing_device {
-/// Counts from now on.
+/// Starts to count the calls.
 void count();
 [[nodiscard]] int counted();
-/// All that comes after the next `works` calls fails.
+/// All calls after the next `works` fail.
 void failAfter(int works);
-/// All is well again.
+/// Calls work again.
 void heal();
 }  // namespace failing_device
 
-/// A disk that is full below `folder`, while it lives, for files that this program itself writes.
+/// Makes the disk full below `folder` while it lives, for this program's own writes.
 class FullDisk {
  public:
   explicit FullDisk(const std::filesystem::path& folder);

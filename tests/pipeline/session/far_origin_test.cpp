@@ -21,9 +21,9 @@ const Eigen::Vector3d kFar(200'000, -30'000, 12);
 
 class FarOriginTest : public testing::Test {
  protected:
-  ScanEnding scanAt(const Eigen::Vector3d& place, const std::string& name) {
+  ScanEnding scanAt(const Eigen::Vector3d& origin, const std::string& name) {
     writeRecording(folder_ / (name + ".recording"), smallRecording(), kFarFrames,
-                   [&](RgbdFrame& frame) { frame.T_world_camera->translation() += place; });
+                   [&](RgbdFrame& frame) { frame.T_world_camera->translation() += origin; });
     ScanRequest request;
     request.source = (folder_ / (name + ".recording")).string();
     request.poses = ScanRequest::Poses::given;
@@ -34,27 +34,27 @@ class FarOriginTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(FarOriginTest, TheScanIsTheSameAsNearTheOrigin) {
+TEST_F(FarOriginTest, ScanGivesTheSameResultsAsNearTheOrigin) {
   const ScanEnding near = scanAt({0, 0, 0}, "near"), far = scanAt(kFar, "far");
   ASSERT_TRUE(near.report) << near.error;
   ASSERT_TRUE(far.report) << far.error;
   EXPECT_EQ(far.report->frames.tracked, kFarFrames);
-  // Whole metres are no whole bricks: the same surface lies in others.
+  // The shift is no multiple of a brick, so the brick counts differ slightly.
   EXPECT_NEAR(far.report->map_bricks, near.report->map_bricks, 0.1 * near.report->map_bricks);
   EXPECT_NEAR(far.report->regions, near.report->regions, 1);
   EXPECT_EQ(near.report->origin_m, Eigen::Vector3d::Zero());
   EXPECT_LT((far.report->origin_m - kFar).norm(), 10) << far.report->origin_m.transpose();
 }
 
-TEST_F(FarOriginTest, ResultsAreInTheWorldOfTheRecording) {
+TEST_F(FarOriginTest, ResultsAreInTheWorldFrameOfTheRecording) {
   ASSERT_TRUE(scanAt(kFar, "far").report);
   const auto trajectory = readTumTrajectory(folder_ / "far" / "trajectory.txt");
   ASSERT_TRUE(trajectory);
   const auto source = makeSyntheticSource(smallRecording()).value();
   ASSERT_EQ(trajectory->size(), static_cast<std::size_t>(kFarFrames));
   for (int i = 0; i < kFarFrames; ++i) {
-    const Eigen::Vector3d place = (*trajectory)[static_cast<std::size_t>(i)].T_world_camera.translation();
-    EXPECT_LT((place - kFar - source->pose(i).translation()).norm(), 0.002)
+    const Eigen::Vector3d position = (*trajectory)[static_cast<std::size_t>(i)].T_world_camera.translation();
+    EXPECT_LT((position - kFar - source->pose(i).translation()).norm(), 0.002)
         << i;  // written to the millimetre
   }
   EXPECT_THAT(readText(folder_ / "far" / "cloud.ply").substr(0, 300), HasSubstr("property double x"));
@@ -64,12 +64,12 @@ TEST_F(FarOriginTest, ResultsAreInTheWorldOfTheRecording) {
   ASSERT_TRUE(session) << session.error().message();
   SessionScan scan(**session);
   EXPECT_LT((scan.origin() - kFar).norm(), 10);
-  const auto kept = scan.trajectory();
-  ASSERT_TRUE(kept);
-  EXPECT_LT(kept->front().T_world_camera.translation().norm(), 10) << "relative to the origin";
+  const auto stored = scan.trajectory();
+  ASSERT_TRUE(stored);
+  EXPECT_LT(stored->front().T_world_camera.translation().norm(), 10) << "relative to the origin";
 }
 
-TEST_F(FarOriginTest, FramesWithImpossiblePosesAreLeftOut) {
+TEST_F(FarOriginTest, FramesWithImpossiblePosesAreSkipped) {
   int number = 0;
   writeRecording(folder_ / "rec", smallRecording(), kFarFrames, [&](RgbdFrame& frame) {
     if (++number > 2) frame.T_world_camera->translation().x() = std::pow(10.0, 3 * number);

@@ -1,4 +1,4 @@
-// The classes that the window uses meet another catalogue than the session's: nothing of that one is touched.
+// A review with another catalogue than the session's leaves the objects of that catalogue unchanged.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,12 +11,12 @@
 namespace scantrove {
 namespace {
 
-constexpr int kFramesOfReview = 25, kForeignObjects = 40;
+constexpr int kReviewFrames = 25, kForeignObjects = 40;
 
-class ForeignCatalogueReview : public test::ScanWorkerTest {
+class ForeignCatalogueReviewTest : public test::ScanWorkerTest {
  protected:
   ScanRequest reviewed() const {
-    ScanRequest requested = request(kFramesOfReview);
+    ScanRequest requested = request(kReviewFrames);
     requested.output_folder = folder_ / "scan";
     requested.database = catalogue_;
     requested.results = false;
@@ -39,23 +39,23 @@ class ForeignCatalogueReview : public test::ScanWorkerTest {
     ASSERT_TRUE(database) << database.error().message();
     for (int i = 0; i < kForeignObjects; ++i) ASSERT_TRUE((*database)->addObject(anyView()));
   }
-  /// "number name views" of the first objects that the catalogue has.
-  std::vector<std::string> strangers() const {
+  /// "id name views" of the objects that the foreign catalogue had at first.
+  std::vector<std::string> foreignObjects() const {
     const auto database = ObjectDatabase::open(catalogue_);
-    std::vector<std::string> words;
-    if (!database) return words;
+    std::vector<std::string> texts;
+    if (!database) return texts;
     const auto objects = (*database)->objects();
     EXPECT_TRUE(objects);
     for (const ObjectRecord& object : *objects) {
       if (object.id.value <= kForeignObjects)
-        words.push_back(std::to_string(object.id.value) + " " + object.name + " " +
+        texts.push_back(std::to_string(object.id.value) + " " + object.name + " " +
                         std::to_string(object.views) + (object.confirmed ? " confirmed" : ""));
     }
-    return words;
+    return texts;
   }
   std::unique_ptr<OpenSession> open() {
     auto session = OpenSession::open(folder_ / "scan");
-    for (int i = 0; !session && i < 100; ++i) {  // the review lets go of it in a moment
+    for (int i = 0; !session && i < 100; ++i) {  // the review closes it after a moment
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
       session = OpenSession::open(folder_ / "scan");
     }
@@ -66,7 +66,7 @@ class ForeignCatalogueReview : public test::ScanWorkerTest {
   const std::string catalogue_ = folder_ / "scan" / "catalogue.sqlite";
 };
 
-TEST_F(ForeignCatalogueReview, ShowsNoNumbersAndTouchesNoStranger) {
+TEST_F(ForeignCatalogueReviewTest, ShowsAndChangesNoForeignObject) {
   std::filesystem::create_directories(folder_ / "scan");
   worker_.post(StartScan{reviewed()});
   log_.await<ReviewOpened>();
@@ -82,11 +82,11 @@ TEST_F(ForeignCatalogueReview, ShowsNoNumbersAndTouchesNoStranger) {
       if (region.voxels > most) largest = region.region;
       most = std::max(most, region.voxels);
     }
-    // As an earlier naming would have left it.
+    // As after an earlier naming.
     ASSERT_TRUE(session->edit({.kind = OperationKind::name, .regions = {largest}, .name = "mug"}));
   }
   replaceCatalogue();
-  const std::vector<std::string> before = strangers();
+  const std::vector<std::string> before = foreignObjects();
   ASSERT_EQ(before.size(), static_cast<std::size_t>(kForeignObjects));
 
   ScanRequest again = reviewed();
@@ -107,7 +107,7 @@ TEST_F(ForeignCatalogueReview, ShowsNoNumbersAndTouchesNoStranger) {
   worker_.post(CloseScan{});
   const auto session = open();
   ASSERT_NE(session, nullptr);
-  EXPECT_EQ(strangers(), before);
+  EXPECT_EQ(foreignObjects(), before);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A folder with a session may also hold files of a person. Scans replace only what scans wrote there.
+// The folder of a session may also have files of a user. Scans replace only files of scans.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class ForeignResults : public ScanWorkerTest {
+class ForeignResultsTest : public ScanWorkerTest {
  protected:
   enum class Into { new_session, same_session };
 
@@ -26,19 +26,19 @@ class ForeignResults : public ScanWorkerTest {
     return worker_.state();
   }
 
-  /// A person's file in the scan's folder keeps a scan with these results from beginning.
+  /// Expects a scan with such results to fail while the scan folder has a user's file `name`.
   void expectRefused(const std::string& name, Into into, bool label_maps) {
-    const fs::path file = folder_.write("scan/" + name, "a person's");
+    const fs::path file = folder_.write("scan/" + name, "a user's");
     const fs::path named = file.parent_path().filename() == "scan" ? file : file.parent_path();
     EXPECT_EQ(scan(into, true, label_maps), ScanState::failed) << name;
     EXPECT_THAT(log_.all<ScanFailed>().back().error.message(),
                 HasSubstr(named.string() + " is not part of an earlier scan"));
-    EXPECT_EQ(readText(file), "a person's");
+    EXPECT_EQ(readText(file), "a user's");
     fs::remove(file);
   }
 };
 
-TEST_F(ForeignResults, AreKept_WhenTheSessionHasNoResults) {
+TEST_F(ForeignResultsTest, AreKept_WhenTheSessionHasNoResults) {
   ASSERT_EQ(scan(Into::new_session, false, false), ScanState::finished) << log_.failure();
   for (const char* name : {"trajectory.txt", "labels.json", "cloud.ply"}) {
     expectRefused(name, Into::same_session, false);
@@ -46,7 +46,7 @@ TEST_F(ForeignResults, AreKept_WhenTheSessionHasNoResults) {
   }
 }
 
-TEST_F(ForeignResults, AreKept_WhenTheScanWroteNoLabelImages) {
+TEST_F(ForeignResultsTest, AreKept_WhenTheScanWroteNoLabelImages) {
   ASSERT_EQ(scan(Into::new_session, true, false), ScanState::finished) << log_.failure();
   for (const char* name : {"labels/000000.png", "labels-final/000003.png"}) {
     expectRefused(name, Into::same_session, true);
@@ -54,12 +54,13 @@ TEST_F(ForeignResults, AreKept_WhenTheScanWroteNoLabelImages) {
   }
 }
 
-TEST_F(ForeignResults, AreToldFromThoseOfAScan) {
+TEST_F(ForeignResultsTest, ScansReplaceTheResultsOfScans) {
   for (const Into into : {Into::new_session, Into::same_session, Into::new_session})
     EXPECT_EQ(scan(into, true, true), ScanState::finished) << log_.failure();
   EXPECT_EQ(scan(Into::new_session, true, false), ScanState::finished) << log_.failure();
-  EXPECT_EQ(scan(Into::new_session, true, true), ScanState::finished) << "label images of the scan before";
-  // As a scan leaves it that was killed before it wrote its report.
+  EXPECT_EQ(scan(Into::new_session, true, true), ScanState::finished)
+      << "replaces the label images of an earlier scan";
+  // As after a scan that was killed before it wrote its report.
   fs::remove(folder_ / "scan" / "report.json");
   EXPECT_EQ(scan(Into::same_session, true, true), ScanState::finished) << log_.failure();
   fs::remove(folder_ / "scan" / "report.json");

@@ -1,5 +1,5 @@
-// An operation in an opened session is whole or is not, in the session and in its catalogue, wherever it is
-// interrupted.
+// An interrupted operation on a saved session is applied completely or not at all, in the session and its
+// catalogue.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -19,26 +19,26 @@ namespace fs = std::filesystem;
 using test::OtherProgram;
 using test::ScanWorkerTest;
 
-/// A step that fails: no row of `table` of which `condition` holds can be written.
-struct Obstacle {
-  const char* file;  ///< of the session's folder
+/// A write that fails: that of a row of `table` for which `condition` holds.
+struct FailingWrite {
+  const char* file;  ///< in the session folder
   const char* table;
   const char* condition;
 };
 
 constexpr const char *kSession = "session.sqlite", *kCatalogue = "catalogue.sqlite";
-constexpr Obstacle kOperation{kSession, "operations", "number > 0"};
-constexpr Obstacle kPending{kSession, "facts", "name = 'pending edits'"};
-constexpr Obstacle kCatalogueSteps[]{{kCatalogue, "events", "action = 'session-begin' AND id > N"},
-                                     {kCatalogue, "events", "action = 'add' AND id > N"},
-                                     {kCatalogue, "events", "action = 'add-view' AND id > N"},
-                                     {kCatalogue, "events", "action = 'session-end' AND id > N"},
-                                     {kCatalogue, "events", "action = 'rename' AND id > N"},
-                                     {kCatalogue, "events", "action = 'confirm' AND id > N"},
-                                     {kCatalogue, "applied_edits", "token <> ''"}};
-constexpr Obstacle kAnswer{kSession, "facts", "name LIKE 'namings %'"};
+constexpr FailingWrite kOperation{kSession, "operations", "number > 0"};
+constexpr FailingWrite kPending{kSession, "facts", "name = 'pending edits'"};
+constexpr FailingWrite kCatalogueSteps[]{{kCatalogue, "events", "action = 'session-begin' AND id > N"},
+                                         {kCatalogue, "events", "action = 'add' AND id > N"},
+                                         {kCatalogue, "events", "action = 'add-view' AND id > N"},
+                                         {kCatalogue, "events", "action = 'session-end' AND id > N"},
+                                         {kCatalogue, "events", "action = 'rename' AND id > N"},
+                                         {kCatalogue, "events", "action = 'confirm' AND id > N"},
+                                         {kCatalogue, "applied_edits", "token <> ''"}};
+constexpr FailingWrite kResult{kSession, "facts", "name LIKE 'namings %'"};
 
-class InterruptedEdits : public ScanWorkerTest {
+class InterruptedEditsTest : public ScanWorkerTest {
  protected:
   void SetUp() override {
     ScanRequest scan = request(12);
@@ -69,14 +69,14 @@ class InterruptedEdits : public ScanWorkerTest {
   [[nodiscard]] std::string ask(const char* file, const QString& sql) const {
     return OtherProgram((folder_ / "scan" / file).string()).ask(sql);
   }
-  /// In the catalogue, hidden ones too.
+  /// Rows of a catalogue table, including hidden ones.
   [[nodiscard]] int rowsOf(const char* table) const {
     return std::stoi(ask(kCatalogue, QString("SELECT count(*) FROM %1").arg(table)));
   }
-  /// While it lives, the step fails. Indexes may be in a file that is opened, triggers not.
+  /// Makes the write fail while it lives. Sessions and catalogues may have foreign indexes, but no triggers.
   class Blocked {
    public:
-    Blocked(const fs::path& folder, const Obstacle& obstacle) : file_((folder / obstacle.file).string()) {
+    Blocked(const fs::path& folder, const FailingWrite& obstacle) : file_((folder / obstacle.file).string()) {
       OtherProgram program(file_);
       QString condition = obstacle.condition;
       if (condition.contains("id > N"))
@@ -95,17 +95,17 @@ class InterruptedEdits : public ScanWorkerTest {
   [[nodiscard]] Operation naming(const std::string& name) const {
     return {.kind = OperationKind::name, .regions = {region_}, .name = name};
   }
-  /// As the program does it, and ends. Whether all of it worked.
-  [[nodiscard]] bool nameAndEnd(const std::string& name) const {
+  /// Opens, names and closes, as the program does. Result: whether all of it succeeded.
+  [[nodiscard]] bool nameAndClose(const std::string& name) const {
     const auto session = open();
     return session && session->edit(naming(name)) && applyToCatalogue(*session);
   }
-  void expectOneObjectCalled(const std::string& name) const {
-    const auto session = open();  // what was interrupted is completed
+  void expectOneObjectNamed(const std::string& name) const {
+    const auto session = open();  // opening completes the interrupted edit
     ASSERT_TRUE(session);
     EXPECT_TRUE(session->pendingEdits().empty());
     EXPECT_EQ(session->noteOf(region_).name, name);
-    EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "no orphan, no hidden one either";
+    EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "one new object, and no hidden one";
     EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM sessions WHERE ended IS NULL"), "0");
     const auto database = ObjectDatabase::open((folder_ / "scan" / kCatalogue).string());
     ASSERT_TRUE(database);
@@ -115,15 +115,15 @@ class InterruptedEdits : public ScanWorkerTest {
     EXPECT_TRUE(object->confirmed);
   }
 
-  RegionId region_;  // the largest that is no object
+  RegionId region_;  // the largest region without an object
   int objects_before_ = 0;
 };
 
-TEST_F(InterruptedEdits, NamingThatTheSessionCannotTakeIsNotInTheCatalogue) {
-  for (const Obstacle& obstacle : {kOperation, kPending}) {
+TEST_F(InterruptedEditsTest, NameIsNotInTheCatalogue_WhenTheSessionCannotStoreIt) {
+  for (const FailingWrite& obstacle : {kOperation, kPending}) {
     {
       const Blocked blocked(folder_ / "scan", obstacle);
-      EXPECT_FALSE(nameAndEnd("cup"));
+      EXPECT_FALSE(nameAndClose("cup"));
     }
     const auto session = open();
     ASSERT_TRUE(session);
@@ -132,44 +132,44 @@ TEST_F(InterruptedEdits, NamingThatTheSessionCannotTakeIsNotInTheCatalogue) {
     EXPECT_TRUE(session->pendingEdits().empty());
     EXPECT_EQ(rowsOf("objects"), objects_before_);
   }
-  EXPECT_TRUE(nameAndEnd("cup"));
-  expectOneObjectCalled("cup");
+  EXPECT_TRUE(nameAndClose("cup"));
+  expectOneObjectNamed("cup");
 }
 
-TEST_F(InterruptedEdits, NamingGivesOneObject_WhereverTheCatalogueFails) {
-  const fs::path whole = folder_ / "whole";
-  fs::copy(folder_ / "scan", whole, fs::copy_options::recursive);
-  for (const Obstacle& obstacle : kCatalogueSteps) {
+TEST_F(InterruptedEditsTest, NameGivesOneObject_WhereverTheCatalogueFails) {
+  const fs::path original = folder_ / "original";
+  fs::copy(folder_ / "scan", original, fs::copy_options::recursive);
+  for (const FailingWrite& obstacle : kCatalogueSteps) {
     SCOPED_TRACE(obstacle.condition);
     fs::remove_all(folder_ / "scan");
-    fs::copy(whole, folder_ / "scan", fs::copy_options::recursive);
+    fs::copy(original, folder_ / "scan", fs::copy_options::recursive);
     {
       const Blocked blocked(folder_ / "scan", obstacle);
-      for (int i = 0; i < 2; ++i) EXPECT_FALSE(nameAndEnd("cup")) << "each try fails";
-      EXPECT_EQ(rowsOf("objects"), objects_before_) << "nothing of it is there";
+      for (int i = 0; i < 2; ++i) EXPECT_FALSE(nameAndClose("cup")) << "each attempt fails";
+      EXPECT_EQ(rowsOf("objects"), objects_before_) << "nothing is written";
     }
-    expectOneObjectCalled("cup");
+    expectOneObjectNamed("cup");
   }
 }
 
-TEST_F(InterruptedEdits, NamingGivesOneObject_WhenTheSessionDoesNotHearOfIt) {
+TEST_F(InterruptedEditsTest, NameGivesOneObject_WhenTheSessionCannotStoreTheResult) {
   {
-    const Blocked blocked(folder_ / "scan", kAnswer);
-    for (int i = 0; i < 2; ++i) EXPECT_FALSE(nameAndEnd("cup"));
-    EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "the catalogue has it";
+    const Blocked blocked(folder_ / "scan", kResult);
+    for (int i = 0; i < 2; ++i) EXPECT_FALSE(nameAndClose("cup"));
+    EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "the catalogue has the object";
   }
-  expectOneObjectCalled("cup");
+  expectOneObjectNamed("cup");
 }
 
-TEST_F(InterruptedEdits, AnInterruptedUndoTakesTheObjectBackOnce) {
-  ASSERT_TRUE(nameAndEnd("cup"));
-  const auto undoAndEnd = [this] {
+TEST_F(InterruptedEditsTest, InterruptedUndoRemovesTheObjectOnce) {
+  ASSERT_TRUE(nameAndClose("cup"));
+  const auto undoAndClose = [this] {
     const auto session = open();
     return session && session->undo() && applyToCatalogue(*session);
   };
   {
     const Blocked blocked(folder_ / "scan", {kCatalogue, "events", "action = 'remove' AND id > N"});
-    EXPECT_FALSE(undoAndEnd());
+    EXPECT_FALSE(undoAndClose());
   }
   const auto session = open();
   ASSERT_TRUE(session);
@@ -177,11 +177,11 @@ TEST_F(InterruptedEdits, AnInterruptedUndoTakesTheObjectBackOnce) {
   EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup'"), "0");
   ASSERT_TRUE(session->redo());
   ASSERT_TRUE(applyToCatalogue(*session));
-  EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "the same one comes back";
+  EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "the same object is restored";
   EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup' AND hidden = 0"), "1");
 }
 
-TEST_F(InterruptedEdits, NoOperationIsHalfInTheSession) {
+TEST_F(InterruptedEditsTest, FailedOperationChangesNothingInTheSession) {
   const auto session = open();
   ASSERT_TRUE(session);
   const auto regions = session->regions();
@@ -192,23 +192,23 @@ TEST_F(InterruptedEdits, NoOperationIsHalfInTheSession) {
       {.kind = OperationKind::join, .regions = {(*regions)[0].region, (*regions)[1].region}});
   for (const OperationKind kind : {OperationKind::background, OperationKind::reject, OperationKind::object})
     operations.push_back({.kind = kind, .regions = {region_}});
-  const std::string kState =
+  const std::string state_query =
       "SELECT (SELECT count(*) FROM operations) || ' ' || (SELECT group_concat(fragment || ':' || region) "
       "FROM"
       " fragments) || ' ' || (SELECT group_concat(region || name || background || is_object || rejected) FROM"
       " regions) || ' ' || (SELECT count(*) FROM borders WHERE by_person)";
-  const std::string before = ask(kSession, QString::fromStdString(kState));
+  const std::string before = ask(kSession, QString::fromStdString(state_query));
   for (const Operation& operation : operations) {
     const Blocked blocked(folder_ / "scan", kOperation);
     EXPECT_FALSE(session->edit(operation)) << toString(operation.kind);
-    EXPECT_EQ(ask(kSession, QString::fromStdString(kState)), before) << toString(operation.kind);
+    EXPECT_EQ(ask(kSession, QString::fromStdString(state_query)), before) << toString(operation.kind);
   }
 }
 
-TEST_F(InterruptedEdits, AreCompletedBeforeTheScanGoesOn) {
+TEST_F(InterruptedEditsTest, ResumedScanCompletesThemFirst) {
   {
     const Blocked blocked(folder_ / "scan", kCatalogueSteps[4]);
-    EXPECT_FALSE(nameAndEnd("cup"));
+    EXPECT_FALSE(nameAndClose("cup"));
   }
   ScanRequest scan = request(3);
   scan.output_folder = folder_ / "scan";
@@ -223,7 +223,7 @@ TEST_F(InterruptedEdits, AreCompletedBeforeTheScanGoesOn) {
   EXPECT_EQ(ask(kSession, "SELECT value FROM facts WHERE name = 'pending edits'"), "");
 }
 
-TEST_F(InterruptedEdits, JoinIsCompletedOnce_AndUndoBringsTheObjectBack) {
+TEST_F(InterruptedEditsTest, JoinIsCompletedOnce_AndUndoRestoresTheObject) {
   std::vector<RegionId> pair{region_};
   {
     const auto session = open();
@@ -238,10 +238,10 @@ TEST_F(InterruptedEdits, JoinIsCompletedOnce_AndUndoBringsTheObjectBack) {
   }
   const char* visible = "SELECT group_concat(id || ' ' || name || confirmed) FROM objects WHERE hidden = 0";
   const std::string before = ask(kCatalogue, visible);
-  for (const Obstacle& obstacle :
-       {Obstacle{kCatalogue, "applied_edits", "result LIKE '%\"state\":\"done\"%'"},
-        Obstacle{kCatalogue, "events", "action = 'merge' AND id > N"},
-        Obstacle{kSession, "facts", "name LIKE 'join %' AND value LIKE '%done%'"}}) {
+  for (const FailingWrite& obstacle :
+       {FailingWrite{kCatalogue, "applied_edits", "result LIKE '%\"state\":\"done\"%'"},
+        FailingWrite{kCatalogue, "events", "action = 'merge' AND id > N"},
+        FailingWrite{kSession, "facts", "name LIKE 'join %' AND value LIKE '%done%'"}}) {
     {
       const Blocked blocked(folder_ / "scan", obstacle);
       const auto session = open();
@@ -249,7 +249,7 @@ TEST_F(InterruptedEdits, JoinIsCompletedOnce_AndUndoBringsTheObjectBack) {
       ASSERT_TRUE(session->edit({.kind = OperationKind::join, .regions = pair}));
       EXPECT_FALSE(applyToCatalogue(*session)) << obstacle.condition;
     }
-    const auto session = open();  // what was interrupted is completed
+    const auto session = open();  // opening completes the interrupted edit
     ASSERT_TRUE(session);
     EXPECT_FALSE(isCataloguePending(*session)) << obstacle.condition;
     EXPECT_NE(ask(kCatalogue, visible), before) << obstacle.condition;

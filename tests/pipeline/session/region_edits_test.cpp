@@ -1,4 +1,4 @@
-// A person's operations while a scan runs.
+// A user's operations during a scan.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,21 +18,22 @@
 namespace scantrove::test {
 namespace {
 
-/// Collects the outcomes of edits, and waits for them.
-class Ear {
+/// Collects the results of edits; waits for them.
+class EditLog {
  public:
-  void hear(const ScanEvent& event) {
+  void add(const ScanEvent& event) {
     {
       const std::scoped_lock lock(mutex_);
       if (const auto* edited = std::get_if<Edited>(&event)) edits_.push_back(edited->regions);
       if (const auto* failed = std::get_if<EditFailed>(&event)) failures_.push_back(failed->error.message());
     }
-    heard_.notify_all();
+    arrived_.notify_all();
   }
-  /// The regions of the n-th operation (from 1), empty if it failed or does not come.
+  /// The regions of the n-th operation (from 1); empty: an operation failed, or it does not come.
   std::vector<RegionId> edit(std::size_t n) {
     std::unique_lock lock(mutex_);
-    heard_.wait_for(lock, std::chrono::seconds(60), [&] { return edits_.size() >= n || !failures_.empty(); });
+    arrived_.wait_for(lock, std::chrono::seconds(60),
+                      [&] { return edits_.size() >= n || !failures_.empty(); });
     return edits_.size() >= n ? edits_[n - 1] : std::vector<RegionId>{};
   }
   std::vector<std::string> failures() {
@@ -42,12 +43,12 @@ class Ear {
 
  private:
   std::mutex mutex_;
-  std::condition_variable heard_;
+  std::condition_variable arrived_;
   std::vector<std::vector<RegionId>> edits_;
   std::vector<std::string> failures_;
 };
 
-/// The snapshot after so many frames; null: it does not come.
+/// The next snapshot after at least `frames` frames; null: it does not come.
 std::shared_ptr<const ScanSnapshot> snapshotAfter(ScanWorker& worker, int frames) {
   for (int i = 0; i < 1200; ++i) {
     auto snapshot = worker.snapshots().collect();
@@ -57,7 +58,7 @@ std::shared_ptr<const ScanSnapshot> snapshotAfter(ScanWorker& worker, int frames
   return nullptr;
 }
 
-/// The regions that a snapshot shows, by how much of the image they fill, largest first.
+/// The regions in a snapshot, by their pixels, largest first.
 std::vector<RegionId> regionsIn(const ScanSnapshot& snapshot) {
   std::map<int, int> pixels;
   for (const int region : cv::Mat_<int>(snapshot.regions)) ++pixels[region];
@@ -75,7 +76,7 @@ std::vector<RegionId> regionsInView(ScanWorker& worker, int frames) {
   return snapshot ? regionsIn(*snapshot) : std::vector<RegionId>{};
 }
 
-/// Pixels well inside of a region, from left to right.
+/// Pixels at least 3 from the border of a region, from left to right.
 std::vector<cv::Point> insideOf(const ScanSnapshot& snapshot, RegionId region) {
   cv::Mat mask = (snapshot.regions == static_cast<int>(region.value)) & (snapshot.depth_fused_m > 0);
   cv::copyMakeBorder(mask, mask, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
@@ -93,15 +94,15 @@ Eigen::Vector3f pointAt(const ScanSnapshot& snapshot, const cv::Point& pixel) {
                                 snapshot.depth_fused_m.at<float>(pixel));
 }
 
-TEST(RegionEdits, LaterRunUndoesJoinOfTwoObjects) {
+TEST(RegionEdits, JoinOfTwoObjectsIsUndone_AfterTheScan) {
   const QtMainThread qt;
   const TemporaryFolder folder;
-  Ear ear;
+  EditLog log;
   const std::string catalogue = (folder / "catalogue.sqlite").string();
   std::vector<RegionId> pair;
   std::vector<ObjectId> objects;
   {
-    ScanWorker worker([&](const ScanEvent& event) { ear.hear(event); });
+    ScanWorker worker([&](const ScanEvent& event) { log.add(event); });
     ScanRequest request;
     request.source = "demo";
     request.source_options.frames = 40;
@@ -124,7 +125,7 @@ TEST(RegionEdits, LaterRunUndoesJoinOfTwoObjects) {
     join.kind = OperationKind::join;
     join.regions = pair;
     worker.post(EditRegions{join});
-    ASSERT_FALSE(ear.edit(1).empty());
+    ASSERT_FALSE(log.edit(1).empty());
     worker.post(ResumeScan{});
     worker.wait();
     ASSERT_EQ(worker.state(), ScanState::finished);
@@ -143,13 +144,14 @@ TEST(RegionEdits, LaterRunUndoesJoinOfTwoObjects) {
   }
 }
 
-TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
+TEST(RegionEdits, AreKeptToTheEnd_AndInTheSavedSession) {
   const QtMainThread qt;
   const TemporaryFolder folder;
-  Ear ear;
-  std::vector<RegionId> joined, kept;
+  EditLog log;
+  std::vector<RegionId> joined;
+  RegionId named;
   {
-    ScanWorker worker([&](const ScanEvent& event) { ear.hear(event); });
+    ScanWorker worker([&](const ScanEvent& event) { log.add(event); });
     ScanRequest request;
     request.source = "demo";
     request.source_options.frames = 40;
@@ -165,32 +167,32 @@ TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
     operation.kind = OperationKind::join;
     operation.regions = joined;
     worker.post(EditRegions{operation});
-    ASSERT_EQ(ear.edit(1), std::vector{joined[0]});
+    ASSERT_EQ(log.edit(1), std::vector{joined[0]});
     operation = {};
     operation.regions = {regions[4]};
-    operation.name = "a thing";
+    operation.name = "mug";
     worker.post(EditRegions{operation});
-    ASSERT_EQ(ear.edit(2), std::vector{regions[4]});
-    operation.name = "something else";
+    ASSERT_EQ(log.edit(2), std::vector{regions[4]});
+    operation.name = "cup";
     worker.post(EditRegions{operation});
-    ASSERT_FALSE(ear.edit(3).empty());
+    ASSERT_FALSE(log.edit(3).empty());
     worker.post(EditRegions{UndoEdit{}});
-    ASSERT_FALSE(ear.edit(4).empty());
-    kept = {regions[4]};
+    ASSERT_FALSE(log.edit(4).empty());
+    named = regions[4];
     worker.post(ResumeScan{});
     worker.wait();
     EXPECT_EQ(worker.state(), ScanState::finished);
   }
-  EXPECT_TRUE(ear.failures().empty());
+  EXPECT_TRUE(log.failures().empty());
   auto session = OpenSession::open(folder / "scan");
   ASSERT_TRUE(session) << session.error().message();
   EXPECT_EQ((*session)->frames().size(), 40U);
-  EXPECT_EQ((*session)->noteOf(kept[0]).name, "a thing");
+  EXPECT_EQ((*session)->noteOf(named).name, "mug");
   const auto regions = (*session)->regions();
   ASSERT_TRUE(regions);
   for (const RegionSummary& region : *regions) EXPECT_NE(region.region, joined[1]);
   ASSERT_EQ((*session)->history().entries().size(), 3U);
-  // What was done in the scan can be taken back later.
+  // Operations of the scan can be undone in the saved session.
   ASSERT_TRUE((*session)->undo());
   ASSERT_TRUE((*session)->undo());
   EXPECT_FALSE((*session)->undo());
@@ -199,8 +201,8 @@ TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
   EXPECT_TRUE(std::ranges::any_of(*again, [&](const auto& region) { return region.region == joined[1]; }));
 }
 
-/// A join and a cut made in the middle of a scan, and the places by which they are looked at later.
-class JoinAndCut : public testing::Test {
+/// A join and a cut in the middle of a scan, and the pixels by which they are checked later.
+class JoinAndCutTest : public testing::Test {
  protected:
   static constexpr int kEditedAfter = 20;
 
@@ -214,7 +216,7 @@ class JoinAndCut : public testing::Test {
     return request;
   }
 
-  /// Cuts the largest region between two places far apart, here_ and there_.
+  /// Cuts the largest region between two distant pixels, here_ and there_.
   void cutLargest(ScanWorker& worker, const ScanSnapshot& snapshot) {
     const RegionId region = regionsIn(snapshot).at(0);
     const std::vector<cv::Point> inside = insideOf(snapshot, region);
@@ -227,11 +229,11 @@ class JoinAndCut : public testing::Test {
     cut.here_world = {pointAt(snapshot, here_)};
     cut.there_world = {pointAt(snapshot, there_)};
     worker.post(EditRegions{cut});
-    ASSERT_EQ(ear_.edit(1).size(), 2U);
+    ASSERT_EQ(log_.edit(1).size(), 2U);
   }
 
   void scanAndEdit(int frames) {
-    ScanWorker worker([&](const ScanEvent& event) { ear_.hear(event); });
+    ScanWorker worker([&](const ScanEvent& event) { log_.add(event); });
     ScanRequest requested = request(0, frames);
     requested.start_paused = true;
     worker.post(StartScan{requested});
@@ -250,55 +252,55 @@ class JoinAndCut : public testing::Test {
     join.kind = OperationKind::join;
     join.regions = {regions[1], regions[2]};
     worker.post(EditRegions{join});
-    ASSERT_FALSE(ear_.edit(2).empty());
+    ASSERT_FALSE(log_.edit(2).empty());
     worker.post(ResumeScan{});
     worker.wait();
     ASSERT_EQ(worker.state(), ScanState::finished);
   }
 
-  /// What is at the places now, in the frame that they were pointed at in.
-  void expectTheyHold() {
+  /// Checks the regions at the pixels, in the frame of the edits.
+  void expectApplied() {
     auto session = OpenSession::open(folder_ / "scan");
     ASSERT_TRUE(session) << session.error().message();
     const auto at = [&](const cv::Point& pixel) {
-      // Working pixels are two of the recording's wide.
-      const auto place = (*session)->at(kEditedAfter - 1, 2 * pixel.x, 2 * pixel.y);
-      EXPECT_TRUE(place) << place.error().message();
-      return place ? place->region : RegionId{};
+      // A working pixel is two pixels of the recording wide.
+      const auto found = (*session)->at(kEditedAfter - 1, 2 * pixel.x, 2 * pixel.y);
+      EXPECT_TRUE(found) << found.error().message();
+      return found ? found->region : RegionId{};
     };
     EXPECT_TRUE(at(here_) && at(there_));
-    EXPECT_NE(at(here_), at(there_)) << "what was cut is two";
+    EXPECT_NE(at(here_), at(there_)) << "the cut region is two";
     EXPECT_TRUE(at(one_));
-    EXPECT_EQ(at(one_), at(other_)) << "what was joined is one";
+    EXPECT_EQ(at(one_), at(other_)) << "the joined regions are one";
   }
 
   QtMainThread qt_;
   TemporaryFolder folder_;
-  Ear ear_;
+  EditLog log_;
   cv::Point here_, there_, one_, other_;
 };
 
-TEST_F(JoinAndCut, HoldToTheEndAndWhenTheScanGoesOn) {
+TEST_F(JoinAndCutTest, AreKeptToTheEnd_AndWhenTheScanResumes) {
   ASSERT_NO_FATAL_FAILURE(scanAndEdit(60));
-  expectTheyHold();
-  ScanWorker worker([&](const ScanEvent& event) { ear_.hear(event); });
+  expectApplied();
+  ScanWorker worker([&](const ScanEvent& event) { log_.add(event); });
   ScanRequest more = request(60, 30);
   more.resume = true;
   worker.post(StartScan{more});
   worker.wait();
   ASSERT_EQ(worker.state(), ScanState::finished);
-  worker.post(StartScan{[&] {  // closes it
+  worker.post(StartScan{[&] {  // closes the saved scan
     ScanRequest nothing = request(0, 1);
     nothing.output_folder.reset();
     return nothing;
   }()});
   worker.wait();
-  expectTheyHold();
-  EXPECT_TRUE(ear_.failures().empty());
+  expectApplied();
+  EXPECT_TRUE(log_.failures().empty());
 }
 
-TEST_F(JoinAndCut, AreTakenBackAfterMoreFrames) {
-  ScanWorker worker([&](const ScanEvent& event) { ear_.hear(event); });
+TEST_F(JoinAndCutTest, CutIsUndone_AfterMoreFrames) {
+  ScanWorker worker([&](const ScanEvent& event) { log_.add(event); });
   ScanRequest requested = request(0, 60);
   requested.start_paused = true;
   worker.post(StartScan{requested});
@@ -309,23 +311,23 @@ TEST_F(JoinAndCut, AreTakenBackAfterMoreFrames) {
   for (int i = 0; i < 12; ++i) worker.post(StepScan{});
   ASSERT_NE(snapshotAfter(worker, kEditedAfter + 12), nullptr);
   worker.post(EditRegions{UndoEdit{}});
-  ASSERT_FALSE(ear_.edit(2).empty());
+  ASSERT_FALSE(log_.edit(2).empty());
   worker.post(ResumeScan{});
   worker.wait();
   worker.post(CloseScan{});
-  auto kept = OpenSession::open(folder_ / "scan");
-  ASSERT_TRUE(kept) << kept.error().message();
-  const auto here = (*kept)->at(kEditedAfter - 1, 2 * here_.x, 2 * here_.y);
-  const auto there = (*kept)->at(kEditedAfter - 1, 2 * there_.x, 2 * there_.y);
+  auto saved = OpenSession::open(folder_ / "scan");
+  ASSERT_TRUE(saved) << saved.error().message();
+  const auto here = (*saved)->at(kEditedAfter - 1, 2 * here_.x, 2 * here_.y);
+  const auto there = (*saved)->at(kEditedAfter - 1, 2 * there_.x, 2 * there_.y);
   ASSERT_TRUE(here && there);
   EXPECT_EQ(here->region, there->region);
 }
 
-TEST(RegionEdits, WhatCannotBeDoneIsSaidAndTheScanGoesOn) {
+TEST(RegionEdits, ImpossibleEditIsReported_AndTheScanContinues) {
   const QtMainThread qt;
   const TemporaryFolder folder;
-  Ear ear;
-  ScanWorker worker([&](const ScanEvent& event) { ear.hear(event); });
+  EditLog log;
+  ScanWorker worker([&](const ScanEvent& event) { log.add(event); });
   ScanRequest request;
   request.source = "demo";
   request.source_options.frames = 5;
@@ -337,12 +339,12 @@ TEST(RegionEdits, WhatCannotBeDoneIsSaidAndTheScanGoesOn) {
   operation.regions = {RegionId{777}};
   operation.name = "x";
   worker.post(EditRegions{operation});
-  EXPECT_TRUE(ear.edit(1).empty());
+  EXPECT_TRUE(log.edit(1).empty());
   worker.post(ResumeScan{});
   worker.wait();
   EXPECT_EQ(worker.state(), ScanState::finished);
-  ASSERT_EQ(ear.failures().size(), 1U);
-  EXPECT_NE(ear.failures()[0].find("777"), std::string::npos);
+  ASSERT_EQ(log.failures().size(), 1U);
+  EXPECT_NE(log.failures()[0].find("777"), std::string::npos);
 }
 
 }  // namespace

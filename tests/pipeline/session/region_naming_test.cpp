@@ -1,4 +1,4 @@
-// A region that gets a name is an object of the catalogue: during a scan, and in its session later.
+// A named region becomes an object of the catalogue, during a scan and in the saved session.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace {
 using test::ScanWorkerTest;
 using testing::HasSubstr;
 
-class RegionNaming : public ScanWorkerTest {
+class RegionNamingTest : public ScanWorkerTest {
  protected:
-  /// A scan that waits after some frames; regions in view, the largest first.
+  /// Starts a scan of `frames` frames and pauses after `frame`. Result: regions in view, largest first.
   std::vector<RegionId> scanUntil(int frame, int frames) {
     ScanRequest scan = request(frames);
     scan.output_folder = folder_ / "scan";
@@ -48,7 +48,7 @@ class RegionNaming : public ScanWorkerTest {
   static Operation naming(RegionId region, const std::string& name) {
     return {.kind = OperationKind::name, .regions = {region}, .name = name};
   }
-  void goOn() {
+  void resumeToEnd() {
     worker_.post(ResumeScan{});
     worker_.wait();
     EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
@@ -59,10 +59,10 @@ class RegionNaming : public ScanWorkerTest {
     EXPECT_TRUE(database);
     return database ? *(*database)->objects() : std::vector<ObjectRecord>();
   }
-  std::vector<ObjectRecord> objectsCalled(const std::string& name) {
-    std::vector<ObjectRecord> called = objects();
-    std::erase_if(called, [&](const ObjectRecord& object) { return object.name != name; });
-    return called;
+  std::vector<ObjectRecord> objectsNamed(const std::string& name) {
+    std::vector<ObjectRecord> named = objects();
+    std::erase_if(named, [&](const ObjectRecord& object) { return object.name != name; });
+    return named;
   }
   std::unique_ptr<OpenSession> open() {
     auto session = OpenSession::open(folder_ / "scan");
@@ -71,41 +71,41 @@ class RegionNaming : public ScanWorkerTest {
   }
 };
 
-TEST_F(RegionNaming, WhileTheScanRuns) {
+TEST_F(RegionNamingTest, AddsObjects_DuringTheScan) {
   const std::vector<RegionId> regions = scanUntil(12, 30);
   ASSERT_GE(regions.size(), 6U);
-  edit(naming(regions[3], "a thing"));
-  edit(naming(regions[4], "another"));
+  edit(naming(regions[3], "mug"));
+  edit(naming(regions[4], "box"));
   edit(naming(regions[5], "wall"));
   edit(Operation{.kind = OperationKind::background, .regions = {regions[5]}});
   edit(Operation{.kind = OperationKind::object, .regions = {regions[2]}});
-  goOn();
-  const std::vector<ObjectRecord> things = objectsCalled("a thing");
-  ASSERT_EQ(things.size(), 1U);
-  EXPECT_TRUE(things[0].confirmed);
-  EXPECT_EQ(things[0].named_by, NamedBy::person);
-  EXPECT_GE(things[0].views, 1);
-  EXPECT_EQ(objectsCalled("another").size(), 1U);
-  EXPECT_TRUE(objectsCalled("wall").empty()) << "background";
+  resumeToEnd();
+  const std::vector<ObjectRecord> mugs = objectsNamed("mug");
+  ASSERT_EQ(mugs.size(), 1U);
+  EXPECT_TRUE(mugs[0].confirmed);
+  EXPECT_EQ(mugs[0].named_by, NamedBy::person);
+  EXPECT_GE(mugs[0].views, 1);
+  EXPECT_EQ(objectsNamed("box").size(), 1U);
+  EXPECT_TRUE(objectsNamed("wall").empty()) << "background";
   EXPECT_TRUE(std::ranges::any_of(log_.all<ObjectNamed>(), [&](const ObjectNamed& named) {
-    return named.object == things[0].id && named.name == "a thing";
+    return named.object == mugs[0].id && named.name == "mug";
   }));
   const auto session = open();
   ASSERT_TRUE(session);
-  EXPECT_EQ(session->objectOf(regions[3]), things[0].id);
-  EXPECT_TRUE(session->objectOf(regions[2])) << "promoted, without a name";
+  EXPECT_EQ(session->objectOf(regions[3]), mugs[0].id);
+  EXPECT_TRUE(session->objectOf(regions[2])) << "an object without a given name";
   EXPECT_EQ(catalogueFileOf(*session), folder_ / "scan" / "catalogue.sqlite");
-  // What was done in the scan is taken back later, in the catalogue, too.
+  // Operations of the scan are undone later, also in the catalogue.
   for (int i = 0; i < 4; ++i) {
     const auto undone = session->undo();
     ASSERT_TRUE(undone);
     EXPECT_TRUE(applyToCatalogue(*session)) << i;
   }
-  EXPECT_TRUE(objectsCalled("another").empty());
-  EXPECT_EQ(objectsCalled("a thing").size(), 1U);
+  EXPECT_TRUE(objectsNamed("box").empty());
+  EXPECT_EQ(objectsNamed("mug").size(), 1U);
 }
 
-TEST_F(RegionNaming, IsTakenBackByAnUndo) {
+TEST_F(RegionNamingTest, UndoRemovesTheName) {
   const std::vector<RegionId> regions = scanUntil(12, 24);
   ASSERT_GE(regions.size(), 5U);
   edit(naming(regions[3], "first"));
@@ -115,20 +115,20 @@ TEST_F(RegionNaming, IsTakenBackByAnUndo) {
   edit(naming(regions[4], "not yet seen"));
   edit(UndoEdit{});
   edit(UndoEdit{});
-  goOn();
-  EXPECT_EQ(objectsCalled("first").size(), 1U);
-  EXPECT_TRUE(objectsCalled("second").empty());
-  EXPECT_TRUE(objectsCalled("not yet seen").empty());
+  resumeToEnd();
+  EXPECT_EQ(objectsNamed("first").size(), 1U);
+  EXPECT_TRUE(objectsNamed("second").empty());
+  EXPECT_TRUE(objectsNamed("not yet seen").empty());
 }
 
-TEST_F(RegionNaming, UndoneAfterTheScanWentOnLeavesNothingInTheCatalogue) {
+TEST_F(RegionNamingTest, UndoRemovesTheObject_AfterTheScanResumed) {
   const std::vector<RegionId> regions = scanUntil(12, 16);
   ASSERT_GE(regions.size(), 2U);
-  // The largest ones are no objects by themselves.
-  edit(naming(regions[0], "a thing"));
+  // The largest regions are no objects without an edit.
+  edit(naming(regions[0], "mug"));
   edit(Operation{.kind = OperationKind::object, .regions = {regions[1]}});
-  goOn();
-  ASSERT_EQ(objectsCalled("a thing").size(), 1U);
+  resumeToEnd();
+  ASSERT_EQ(objectsNamed("mug").size(), 1U);
   ObjectId promoted;
   {
     const auto session = open();
@@ -145,65 +145,65 @@ TEST_F(RegionNaming, UndoneAfterTheScanWentOnLeavesNothingInTheCatalogue) {
   log_.awaitState(ScanState::paused, 2);
   edit(UndoEdit{});
   edit(UndoEdit{});
-  goOn();
-  EXPECT_TRUE(objectsCalled("a thing").empty());
+  resumeToEnd();
+  EXPECT_TRUE(objectsNamed("mug").empty());
   for (const ObjectRecord& object : objects()) EXPECT_NE(object.id, promoted);
   const auto session = open();
   ASSERT_TRUE(session);
   EXPECT_NE(session->objectOf(regions[1]), promoted);
 }
 
-TEST_F(RegionNaming, OfWhatTheLastFrameShowsIsNotLost) {
+TEST_F(RegionNamingTest, AddsTheObject_WhenTheScanStopsAtOnce) {
   const std::vector<RegionId> regions = scanUntil(12, 200);
   ASSERT_GE(regions.size(), 5U);
   edit(naming(regions[3], "named last"));
   worker_.post(StopScan{});
   worker_.wait();
-  ASSERT_EQ(objectsCalled("named last").size(), 1U);
+  ASSERT_EQ(objectsNamed("named last").size(), 1U);
   const auto session = open();
   ASSERT_TRUE(session);
-  EXPECT_EQ(session->objectOf(regions[3]), objectsCalled("named last")[0].id);
+  EXPECT_EQ(session->objectOf(regions[3]), objectsNamed("named last")[0].id);
 }
 
-TEST_F(RegionNaming, InASessionThatIsOpenedLater) {
+TEST_F(RegionNamingTest, AddsAndRemovesAnObject_InASavedSession) {
   const std::vector<RegionId> regions = scanUntil(12, 20);
   ASSERT_GE(regions.size(), 5U);
-  goOn();
+  resumeToEnd();
   const std::size_t before = objects().size();
   {
     const auto session = open();
     ASSERT_TRUE(session);
-    const auto named = session->edit(naming(regions[3], "thing"));
+    const auto named = session->edit(naming(regions[3], "mug"));
     ASSERT_TRUE(named);
     const Result<void> applied = applyToCatalogue(*session);
     ASSERT_TRUE(applied) << applied.error().message();
     EXPECT_TRUE(session->objectOf(regions[3]));
   }
-  ASSERT_EQ(objectsCalled("thing").size(), 1U);
-  EXPECT_TRUE(objectsCalled("thing")[0].confirmed);
+  ASSERT_EQ(objectsNamed("mug").size(), 1U);
+  EXPECT_TRUE(objectsNamed("mug")[0].confirmed);
   {
     const auto session = open();
     ASSERT_TRUE(session);
-    EXPECT_EQ(session->objectOf(regions[3]), objectsCalled("thing")[0].id) << "it is kept";
+    EXPECT_EQ(session->objectOf(regions[3]), objectsNamed("mug")[0].id) << "the session stores the object";
     const auto undone = session->undo();
     ASSERT_TRUE(undone);
     ASSERT_TRUE(applyToCatalogue(*session));
   }
   EXPECT_EQ(objects().size(), before);
-  EXPECT_TRUE(objectsCalled("thing").empty());
+  EXPECT_TRUE(objectsNamed("mug").empty());
 }
 
-TEST_F(RegionNaming, UndoneAndDoneAgainLeavesWhatOthersMadeOfItsObject) {
+TEST_F(RegionNamingTest, UndoAndRedoKeepAMergeByAnotherProgram) {
   const std::vector<RegionId> regions = scanUntil(12, 20);
   ASSERT_GE(regions.size(), 1U);
-  goOn();
+  resumeToEnd();
   const std::string file = (folder_ / "scan" / "catalogue.sqlite").string();
   const auto session = open();
   ASSERT_TRUE(session);
   ASSERT_TRUE(session->edit(naming(regions[0], "cup")));
   ASSERT_TRUE(applyToCatalogue(*session));
   const ObjectId cup = session->objectOf(regions[0]);
-  // In another session a person has a mug, and says that the cup is that.
+  // Another program names the first object mug and merges the cup into it.
   const ObjectRecord mug = objects().front();
   ASSERT_NE(mug.id, cup);
   const auto other = ObjectDatabase::open(file);
@@ -215,23 +215,23 @@ TEST_F(RegionNaming, UndoneAndDoneAgainLeavesWhatOthersMadeOfItsObject) {
 
   ASSERT_TRUE(session->undo());
   const Result<void> undone = applyToCatalogue(*session);
-  ASSERT_FALSE(undone) << "what an undo leaves is said";
+  ASSERT_FALSE(undone) << "the undo reports that the merge stays";
   EXPECT_THAT(undone.error().message(), HasSubstr("others"));
   EXPECT_FALSE(session->objectOf(regions[0])) << "as before the naming";
-  EXPECT_EQ(objectsCalled("mug").size(), 1U);
+  EXPECT_EQ(objectsNamed("mug").size(), 1U);
 
   ASSERT_TRUE(session->redo());
   EXPECT_TRUE(applyToCatalogue(*session));
   EXPECT_EQ((*other)->mergeRoot(session->objectOf(regions[0])).value_or(ObjectId{}), mug.id);
-  EXPECT_EQ(objectsCalled("mug").size(), 1U) << "the other's object keeps its name";
-  EXPECT_TRUE(objectsCalled("cup").empty());
+  EXPECT_EQ(objectsNamed("mug").size(), 1U) << "the merged object keeps its name";
+  EXPECT_TRUE(objectsNamed("cup").empty());
   EXPECT_EQ((*other)->views().of(mug.id)->size(), views);
 }
 
-TEST_F(RegionNaming, AnUndoneNamingKeepsTheObjectThatOthersMadeTheirsPartOf) {
+TEST_F(RegionNamingTest, UndoKeepsTheObject_WhenAnotherProgramMergedItsOwnIntoIt) {
   const std::vector<RegionId> regions = scanUntil(12, 20);
   ASSERT_GE(regions.size(), 1U);
-  goOn();
+  resumeToEnd();
   const auto session = open();
   ASSERT_TRUE(session);
   ASSERT_TRUE(session->edit(naming(regions[0], "cup")));
@@ -242,25 +242,26 @@ TEST_F(RegionNaming, AnUndoneNamingKeepsTheObjectThatOthersMadeTheirsPartOf) {
   ASSERT_TRUE(other);
   const auto merge = (*other)->merge(std::array{found.id, cup});
   ASSERT_TRUE(merge);
-  ASSERT_EQ(merge->into, cup) << "a person named it";
+  ASSERT_EQ(merge->into, cup) << "the object named by a user remains";
   ASSERT_TRUE(session->undo());
   EXPECT_TRUE(applyToCatalogue(*session));
-  EXPECT_EQ((*other)->mergeRoot(found.id).value_or(ObjectId{}), cup) << "nothing of others is hidden";
-  EXPECT_TRUE(objectsCalled("cup").empty());
+  EXPECT_EQ((*other)->mergeRoot(found.id).value_or(ObjectId{}), cup)
+      << "the other program's object is not hidden";
+  EXPECT_TRUE(objectsNamed("cup").empty());
 }
 
-TEST_F(RegionNaming, WithoutItsCatalogueIsSaid) {
+TEST_F(RegionNamingTest, ReportsAMissingCatalogue) {
   const std::vector<RegionId> regions = scanUntil(8, 10);
   ASSERT_GE(regions.size(), 4U);
-  goOn();
+  resumeToEnd();
   std::filesystem::rename(folder_ / "scan" / "catalogue.sqlite", folder_ / "elsewhere.sqlite");
   const auto session = open();
   ASSERT_TRUE(session);
-  ASSERT_TRUE(session->edit(naming(regions[3], "thing")));
+  ASSERT_TRUE(session->edit(naming(regions[3], "mug")));
   const Result<void> applied = applyToCatalogue(*session);
   ASSERT_FALSE(applied);
   EXPECT_THAT(applied.error().message(), HasSubstr("catalogue.sqlite"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "catalogue.sqlite")) << "none is made";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "catalogue.sqlite")) << "no catalogue is made";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The files that a scan writes number its regions as its session does.
+// Files of a scan use the region numbers of its session.
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using Counts = std::map<std::uint32_t, std::int64_t>;
 
-class ResultNumbers : public test::ScanWorkerTest {
+class ResultNumbersTest : public test::ScanWorkerTest {
  protected:
   void scan() {
     ScanRequest scan = request(10);
@@ -31,7 +31,7 @@ class ResultNumbers : public test::ScanWorkerTest {
     EXPECT_TRUE(session) << session.error().message();
     return session ? std::move(*session) : nullptr;
   }
-  /// Voxels of each region but the one that is none.
+  /// Voxels by region; without 0, which is no region.
   static Counts countsOf(const pcl::PointCloud<pcl::PointXYZRGBL>& cloud) {
     Counts counts;
     for (const auto& point : cloud) ++counts[point.label];
@@ -40,7 +40,7 @@ class ResultNumbers : public test::ScanWorkerTest {
   }
 };
 
-TEST_F(ResultNumbers, AreThoseOfTheSessionInEveryFile) {
+TEST_F(ResultNumbersTest, AllFilesHaveTheNumbersOfTheSession) {
   scan();
   const auto session = open();
   ASSERT_TRUE(session);
@@ -71,7 +71,7 @@ TEST_F(ResultNumbers, AreThoseOfTheSessionInEveryFile) {
   for (const std::uint32_t id : shown) EXPECT_TRUE(counts.contains(id)) << id;
 }
 
-TEST_F(ResultNumbers, SayThatTheyAreFromBeforeAnEdit) {
+TEST_F(ResultNumbersTest, ResultsAreOutdated_AfterAnEdit) {
   scan();
   const std::string header = test::readText(folder_ / "scan" / "cloud.ply").substr(0, 300);
   EXPECT_NE(header.find("as the scan ended"), std::string::npos) << header;

@@ -16,17 +16,19 @@
 namespace scantrove::test {
 namespace {
 
-struct Film {
+struct RecordingCase {
   std::string source;
-  int stride, stopped, frames;  // frames of the scan that never stops
+  int stride, stopped, frames;  // frames: of the uninterrupted scan
 };
-std::ostream& operator<<(std::ostream& out, const Film& film) { return out << film.source; }
+std::ostream& operator<<(std::ostream& out, const RecordingCase& recording) {
+  return out << recording.source;
+}
 
-ScanRequest partOf(const Film& film, const std::filesystem::path& folder, int first, int last) {
+ScanRequest partOf(const RecordingCase& recording, const std::filesystem::path& folder, int first, int last) {
   ScanRequest request;
-  request.source = film.source;
-  request.source_options.start = first * film.stride;
-  request.source_options.stride = film.stride;
+  request.source = recording.source;
+  request.source_options.start = first * recording.stride;
+  request.source_options.stride = recording.stride;
   request.source_options.frames = last - first;
   request.output_folder = folder;
   request.database = (folder.parent_path() / (folder.filename().string() + ".sqlite")).string();
@@ -35,66 +37,68 @@ ScanRequest partOf(const Film& film, const std::filesystem::path& folder, int fi
   return request;
 }
 
-/// What there is of the session, by frame and by place.
-struct Kept {
+/// Contents of a session: poses by frame, map pages by position.
+struct SessionContents {
   std::map<int, std::vector<double>> poses;
   std::map<std::vector<int>, StoredPage> pages;
-  std::map<FragmentId, int> voxels;  // of the fragments that are part of a region
+  std::map<FragmentId, int> voxels;  // of fragments that belong to a region
 };
 
-Kept keptIn(const std::filesystem::path& folder) {
-  Kept kept;
+SessionContents contentsOf(const std::filesystem::path& folder) {
+  SessionContents contents;
   const QtMainThread qt;
   const auto store = SessionStore::open(folder);
   EXPECT_TRUE(store) << store.error().message();
-  if (!store) return kept;
+  if (!store) return contents;
   const Result<SavedScan> scan = (*store)->load();
   EXPECT_TRUE(scan) << scan.error().message();
-  if (!scan) return kept;
+  if (!scan) return contents;
   for (const SavedFrame& frame : scan->frames) {
     const auto& T = frame.T_world_camera.matrix();
-    if (frame.isUsable()) kept.poses[frame.source_index] = {T.data(), T.data() + T.size()};
+    if (frame.isUsable()) contents.poses[frame.source_index] = {T.data(), T.data() + T.size()};
   }
   for (const SavedFragment& one : scan->fragments) {
-    if (one.region) kept.voxels[one.fragment] = one.voxels;
+    if (one.region) contents.voxels[one.fragment] = one.voxels;
   }
   for (const Eigen::Vector3i& position : scan->pages) {
     const auto words = (*store)->loadPage(position);
     const auto page = words ? StoredPage::fromWords(*words) : std::nullopt;
     EXPECT_TRUE(page) << position.transpose();
-    if (page) kept.pages[{position.x(), position.y(), position.z()}] = *page;
+    if (page) contents.pages[{position.x(), position.y(), position.z()}] = *page;
   }
-  return kept;
+  return contents;
 }
 
-/// That of the wall has two of three directions of motion that its depth leaves open: poses rest on what
-/// earlier frames have seen. In that of the mover something walks through the view.
-class ResumedPoses : public testing::TestWithParam<Film> {};
+/// The depth of the wall constrains one of three directions of motion, so poses depend on earlier frames. In
+/// the other recording a person walks through the view.
+class ResumedPosesTest : public testing::TestWithParam<RecordingCase> {};
 
-TEST_P(ResumedPoses, AreToTheLastBitThoseOfAScanThatNeverStopped) {
-  const Film& film = GetParam();
+TEST_P(ResumedPosesTest, EqualThoseOfAnUninterruptedScan) {
+  const RecordingCase& recording = GetParam();
   const TemporaryFolder folder;
-  ASSERT_TRUE(runScan(partOf(film, folder / "whole", 0, film.frames)).report);
-  ASSERT_TRUE(runScan(partOf(film, folder / "parts", 0, film.stopped)).report);
-  ASSERT_TRUE(runScan(partOf(film, folder / "parts", film.stopped, film.frames)).report);
+  ASSERT_TRUE(runScan(partOf(recording, folder / "uninterrupted", 0, recording.frames)).report);
+  ASSERT_TRUE(runScan(partOf(recording, folder / "parts", 0, recording.stopped)).report);
+  ASSERT_TRUE(runScan(partOf(recording, folder / "parts", recording.stopped, recording.frames)).report);
 
-  const Kept whole = keptIn(folder / "whole"), parts = keptIn(folder / "parts");
-  EXPECT_EQ(whole.poses.size(), static_cast<std::size_t>(film.frames));
-  for (const auto& [index, pose] : whole.poses) ASSERT_EQ(parts.poses.at(index), pose) << "frame " << index;
-  ASSERT_EQ(parts.pages.size(), whole.pages.size());
-  for (const auto& [position, page] : whole.pages) {
+  const SessionContents uninterrupted = contentsOf(folder / "uninterrupted"),
+                        parts = contentsOf(folder / "parts");
+  EXPECT_EQ(uninterrupted.poses.size(), static_cast<std::size_t>(recording.frames));
+  for (const auto& [index, pose] : uninterrupted.poses)
+    ASSERT_EQ(parts.poses.at(index), pose) << "frame " << index;
+  ASSERT_EQ(parts.pages.size(), uninterrupted.pages.size());
+  for (const auto& [position, page] : uninterrupted.pages) {
     ASSERT_TRUE(parts.pages.contains(position));
     const StoredPage& other = parts.pages.at(position);
-    const std::string place = testing::PrintToString(position);
-    EXPECT_EQ(other.bricks, page.bricks) << place;
-    EXPECT_EQ(other.inactive, page.inactive) << place;
-    EXPECT_TRUE(other.contents.distances == page.contents.distances) << "other distances in page " << place;
-    EXPECT_TRUE(other.contents.weights == page.contents.weights) << "other weights in page " << place;
-    EXPECT_TRUE(other.contents.colors == page.contents.colors) << "other colours in page " << place;
+    const std::string text = testing::PrintToString(position);
+    EXPECT_EQ(other.bricks, page.bricks) << text;
+    EXPECT_EQ(other.inactive, page.inactive) << text;
+    EXPECT_TRUE(other.contents.distances == page.contents.distances) << "other distances in page " << text;
+    EXPECT_TRUE(other.contents.weights == page.contents.weights) << "other weights in page " << text;
+    EXPECT_TRUE(other.contents.colors == page.contents.colors) << "other colours in page " << text;
   }
 }
 
-/// As a program leaves it that was killed, or (of an older version) does not know of the camera's memory.
+/// Executes `how` on the session, to make it that of a killed program or of an older version.
 void changeSession(const std::filesystem::path& folder, const char* how) {
   const QtMainThread qt;
   const auto database = DatabaseConnection::open((folder / "session.sqlite").string());
@@ -103,9 +107,9 @@ void changeSession(const std::filesystem::path& folder, const char* how) {
   ASSERT_TRUE(done) << done.error().message();
 }
 
-std::map<FragmentId, int> labelsOf(const Kept& kept) {
+std::map<FragmentId, int> labelsOf(const SessionContents& contents) {
   std::map<FragmentId, int> voxels;
-  for (const auto& [position, page] : kept.pages) {
+  for (const auto& [position, page] : contents.pages) {
     for (const cl_uint label : page.contents.labels) {
       if (LABEL_OF(label) != 0) ++voxels[FragmentId{LABEL_OF(label)}];
     }
@@ -113,13 +117,13 @@ std::map<FragmentId, int> labelsOf(const Kept& kept) {
   return voxels;
 }
 
-/// The map of a scan that broke off may be older than its regions: it may hold fragments that were given up,
-/// and other numbers of voxels.
-TEST(BrokenOffSession, ItsMapHoldsTheFragmentsOfItsRegionsAndNoOthersWhenItGoesOn) {
-  const Film film{"demo:tabletop:3", 3, 12, 16};
+// The stored map of a killed scan may be older than its regions: it may have removed fragments and other
+// voxel counts.
+TEST(KilledSession, MapAndRegionsHaveTheSameFragments_WhenItResumes) {
+  const RecordingCase recording{"demo:tabletop:3", 3, 12, 16};
   const TemporaryFolder folder;
-  ASSERT_TRUE(runScan(partOf(film, folder / "scan", 0, film.stopped)).report);
-  const Kept before = keptIn(folder / "scan");
+  ASSERT_TRUE(runScan(partOf(recording, folder / "scan", 0, recording.stopped)).report);
+  const SessionContents before = contentsOf(folder / "scan");
   ASSERT_GE(before.voxels.size(), 2U);
   EXPECT_EQ(labelsOf(before), before.voxels);
 
@@ -128,20 +132,21 @@ TEST(BrokenOffSession, ItsMapHoldsTheFragmentsOfItsRegionsAndNoOthersWhenItGoesO
   const std::string number = std::to_string(largest->first.value);
   changeSession(folder / "scan", ("DELETE FROM fragments WHERE fragment = " + number).c_str());
   changeSession(folder / "scan", "UPDATE fragments SET voxels = voxels / 2 + 7, row_check = NULL");
-  ASSERT_NE(labelsOf(keptIn(folder / "scan")), keptIn(folder / "scan").voxels) << "the test's own doing";
-  ASSERT_TRUE(runScan(partOf(film, folder / "scan", film.stopped, film.frames)).report);
-  const Kept after = keptIn(folder / "scan");
+  ASSERT_NE(labelsOf(contentsOf(folder / "scan")), contentsOf(folder / "scan").voxels)
+      << "the session is inconsistent now";
+  ASSERT_TRUE(runScan(partOf(recording, folder / "scan", recording.stopped, recording.frames)).report);
+  const SessionContents after = contentsOf(folder / "scan");
   ASSERT_GE(after.voxels.size(), 2U);
   EXPECT_EQ(labelsOf(after), after.voxels);
 }
 
-/// Without the memory of the camera the frames that show a place lead back to it.
-TEST(ResumedPosesByPlaces, AreNearThoseOfAScanThatNeverStopped) {
-  const Film film{"demo:wall", 3, 35, 60};
+// Without the camera memory, tracking key frames locate the camera.
+TEST(ResumedPosesByKeyFrames, AreNearThoseOfAnUninterruptedScan) {
+  const RecordingCase recording{"demo:wall", 3, 35, 60};
   const TemporaryFolder folder;
-  ASSERT_TRUE(runScan(partOf(film, folder / "whole", 0, film.frames)).report);
-  const Kept whole = keptIn(folder / "whole");
-  ASSERT_TRUE(runScan(partOf(film, folder / "first", 0, film.stopped)).report);
+  ASSERT_TRUE(runScan(partOf(recording, folder / "uninterrupted", 0, recording.frames)).report);
+  const SessionContents uninterrupted = contentsOf(folder / "uninterrupted");
+  ASSERT_TRUE(runScan(partOf(recording, folder / "first", 0, recording.stopped)).report);
   for (const char* how : {"DELETE FROM camera", "UPDATE camera SET checksum = checksum + 1",
                           "UPDATE camera SET frame = frame - 1"}) {
     SCOPED_TRACE(how);
@@ -149,43 +154,46 @@ TEST(ResumedPosesByPlaces, AreNearThoseOfAScanThatNeverStopped) {
     std::filesystem::remove_all(parts);
     std::filesystem::copy(folder / "first", parts, std::filesystem::copy_options::recursive);
     changeSession(parts, how);
-    ASSERT_TRUE(runScan(partOf(film, parts, film.stopped, film.frames)).report);
-    const Kept kept = keptIn(parts);
-    ASSERT_EQ(kept.poses.size(), whole.poses.size());
-    for (const auto& [index, pose] : whole.poses) {
-      const std::vector<double>& other = kept.poses.at(index);
+    ASSERT_TRUE(runScan(partOf(recording, parts, recording.stopped, recording.frames)).report);
+    const SessionContents resumed = contentsOf(parts);
+    ASSERT_EQ(resumed.poses.size(), uninterrupted.poses.size());
+    for (const auto& [index, pose] : uninterrupted.poses) {
+      const std::vector<double>& other = resumed.poses.at(index);
       for (std::size_t i = 12; i < 15; ++i) EXPECT_NEAR(other[i], pose[i], 0.002) << "frame " << index;
     }
   }
 }
 
-/// The memory of a camera that went on is of no use to one that stands elsewhere, and does not mislead it.
-TEST(ResumedPosesByPlaces, ACameraThatStandsElsewhereIsFoundAtOnce) {
-  const Film film{"demo:wall", 3, 35, 60};
-  constexpr int kBack = 10;
+// The camera memory is useless when the camera has moved, and must not mislead it.
+TEST(ResumedPosesByKeyFrames, AreFoundAtOnce_WhenTheCameraHasMoved) {
+  const RecordingCase recording{"demo:wall", 3, 35, 60};
+  constexpr int kFirstAgain = 10;
   const TemporaryFolder folder;
-  ASSERT_TRUE(runScan(partOf(film, folder / "scan", 0, film.stopped)).report);
-  const Kept before = keptIn(folder / "scan");
-  const auto placeOf = [](const std::vector<double>& pose) {
+  ASSERT_TRUE(runScan(partOf(recording, folder / "scan", 0, recording.stopped)).report);
+  const SessionContents before = contentsOf(folder / "scan");
+  const auto positionOf = [](const std::vector<double>& pose) {
     return Eigen::Vector3d(pose[12], pose[13], pose[14]);
   };
-  const auto& there = before.poses.at(kBack * film.stride);
-  ASSERT_GT((placeOf(there) - placeOf(before.poses.rbegin()->second)).norm(), 0.5) << "that is elsewhere";
+  const auto& target = before.poses.at(kFirstAgain * recording.stride);
+  ASSERT_GT((positionOf(target) - positionOf(before.poses.rbegin()->second)).norm(), 0.5)
+      << "the camera has moved";
 
-  const auto again = runScan(partOf(film, folder / "scan", kBack, kBack + 5));
+  const auto again = runScan(partOf(recording, folder / "scan", kFirstAgain, kFirstAgain + 5));
   ASSERT_TRUE(again.report);
   EXPECT_EQ(again.report->frames.lost, 0);
-  const Kept after = keptIn(folder / "scan");
-  // What is seen again counts on from the last frame.
-  const int shift = before.poses.rbegin()->first + 1 - kBack * film.stride;
-  for (int i = kBack; i < kBack + 5; ++i) {
-    const auto& pose = after.poses.at(i * film.stride + shift);
-    EXPECT_LT((placeOf(pose) - placeOf(before.poses.at(i * film.stride))).norm(), 0.005) << "frame " << i;
+  const SessionContents after = contentsOf(folder / "scan");
+  // Frames seen again are numbered after the last frame.
+  const int shift = before.poses.rbegin()->first + 1 - kFirstAgain * recording.stride;
+  for (int i = kFirstAgain; i < kFirstAgain + 5; ++i) {
+    const auto& pose = after.poses.at(i * recording.stride + shift);
+    EXPECT_LT((positionOf(pose) - positionOf(before.poses.at(i * recording.stride))).norm(), 0.005)
+        << "frame " << i;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ResumedPoses,
-                         testing::Values(Film{"demo:wall", 3, 35, 60}, Film{"demo:moving:3", 2, 30, 45}));
+INSTANTIATE_TEST_SUITE_P(Of, ResumedPosesTest,
+                         testing::Values(RecordingCase{"demo:wall", 3, 35, 60},
+                                         RecordingCase{"demo:moving:3", 2, 30, 45}));
 
 }  // namespace
 }  // namespace scantrove::test

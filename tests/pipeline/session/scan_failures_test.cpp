@@ -20,12 +20,12 @@ using test::OtherProgram;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Scans that meet a failure of the world in the middle.
-class ScanFailures : public test::ScanWorkerTest {
+/// Scans during which files, the catalogue or the device fail.
+class ScanFailuresTest : public test::ScanWorkerTest {
  protected:
   [[nodiscard]] fs::path out() const { return folder_ / "out"; }
 
-  /// Stops after `frames` frames, paused, so that the world can be changed.
+  /// Scans `frames` frames and pauses, so that a test can cause a failure.
   void scanAndPause(int frames, ScanRequest request) {
     request.output_folder = out();
     request.start_paused = true;
@@ -36,12 +36,12 @@ class ScanFailures : public test::ScanWorkerTest {
       ASSERT_TRUE(awaitSnapshot(i));
     }
   }
-  void goOn() {
+  void resumeToEnd() {
     worker_.post(ResumeScan{});
     worker_.wait();
   }
 
-  /// How many points cloud.ply says that it has; -1: it cannot be read.
+  /// The number of points in the header of cloud.ply; -1: it cannot be read.
   [[nodiscard]] int pointsOfCloud() const {
     std::ifstream file(out() / "cloud.ply", std::ios::binary);
     for (std::string word; file >> word;) {
@@ -54,7 +54,7 @@ class ScanFailures : public test::ScanWorkerTest {
     const auto trajectory = readTrajectory(out() / "trajectory.txt");
     return trajectory ? trajectory->size() : 0;
   }
-  /// Of the catalogue.
+  /// Rows of the catalogue.
   [[nodiscard]] std::string sessionsWithoutEnd() const {
     return OtherProgram(request(1).database).ask("SELECT count(*) FROM sessions WHERE ended IS NULL");
   }
@@ -65,10 +65,10 @@ class ScanFailures : public test::ScanWorkerTest {
   }
 };
 
-TEST_F(ScanFailures, AFileThatCannotBeWrittenCostsNoOther) {
+TEST_F(ScanFailuresTest, UnwritableFileLeavesTheOthersComplete) {
   scanAndPause(3, request(6));
-  fs::create_directories(out() / "cloud.ply" / "in the way");
-  goOn();
+  fs::create_directories(out() / "cloud.ply" / "folder");
+  resumeToEnd();
   EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr("cloud.ply"));
   const auto trajectory = readTrajectory(out() / "trajectory.txt");
@@ -79,24 +79,24 @@ TEST_F(ScanFailures, AFileThatCannotBeWrittenCostsNoOther) {
   }
 }
 
-TEST_F(ScanFailures, AFolderThatIsGoneIsSaid) {
+TEST_F(ScanFailuresTest, RemovedFolderIsReported_AndTheSessionWrittenAgain) {
   scanAndPause(2, request(4));
   fs::remove_all(out());
-  goOn();
+  resumeToEnd();
   EXPECT_EQ(worker_.state(), ScanState::failed);
-  EXPECT_THAT(log_.failure(), HasSubstr(out().string())) << "the first that failed";
+  EXPECT_THAT(log_.failure(), HasSubstr(out().string())) << "the first failure";
   const auto session = SessionStore::open(out());
   ASSERT_TRUE(session) << session.error().message();
-  EXPECT_EQ((*session)->load()->frames.size(), 4U) << "it is written anew";
+  EXPECT_EQ((*session)->load()->frames.size(), 4U) << "the session is written again";
 }
 
-TEST_F(ScanFailures, LabelImagesThatCannotBeWrittenEndTheScanWithTheRest) {
+TEST_F(ScanFailuresTest, UnwritableLabelImagesEndTheScan_WithTheOtherResults) {
   ScanRequest requested = request(60);
   requested.label_maps = true;
   scanAndPause(2, requested);
   fs::remove_all(out() / "labels");
   std::ofstream(out() / "labels") << "a file";
-  goOn();
+  resumeToEnd();
   EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr("labels/"));
   for (const char* file : {"trajectory.txt", "cloud.ply", "cloud.pcd", "labels.json", "report.json"}) {
@@ -104,13 +104,13 @@ TEST_F(ScanFailures, LabelImagesThatCannotBeWrittenEndTheScanWithTheRest) {
   }
   const auto trajectory = readTrajectory(out() / "trajectory.txt");
   ASSERT_TRUE(trajectory);
-  EXPECT_LT(trajectory->size(), 60U) << "it went on without its label images";
+  EXPECT_LT(trajectory->size(), 60U) << "it continued without its label images";
 }
 
-TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
+TEST_F(ScanFailuresTest, LockedCatalogueDelaysObjects_AndLosesNone) {
   ScanRequest quiet = request(60);
   quiet.database = (folder_ / "quiet.sqlite").string();
-  quiet.output_folder = folder_ / "quiet";  // as the other one: what is kept is looked at again
+  quiet.output_folder = folder_ / "quiet";  // as the other scan: refinement needs the stored key frames
   worker_.post(StartScan{quiet});
   worker_.wait();
   const std::size_t found = log_.all<ObjectAdded>().size();
@@ -122,8 +122,8 @@ TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
     OtherProgram other(request(1).database);
     other.execute("BEGIN IMMEDIATE");
     worker_.post(ResumeScan{});
-    log_.awaitState(ScanState::finishing, 3);  // the first scan came to it before and after its refinement
-    EXPECT_EQ(log_.all<ObjectAdded>().size(), found) << "nothing is announced that is not stored";
+    log_.awaitState(ScanState::finishing, 3);  // the first scan entered it before and after its refinement
+    EXPECT_EQ(log_.all<ObjectAdded>().size(), found) << "only stored objects are reported";
     other.execute("ROLLBACK");
   }
   worker_.wait();
@@ -132,29 +132,29 @@ TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
   expectAllFiles();
   const std::vector<ObjectAdded> added = log_.all<ObjectAdded>();
   EXPECT_EQ(added.size(), 2 * found);
-  const auto questions = {"SELECT group_concat(id || name || hidden || size_x_m) FROM objects",
-                          "SELECT group_concat(object || ' ' || frame_index) FROM views",
-                          "SELECT group_concat(action || ' ' || coalesce(object, '')) FROM events"};
-  for (const char* question : questions) {
-    const std::string now = OtherProgram(request(1).database).ask(question);
-    EXPECT_EQ(now, OtherProgram(quiet.database).ask(question));
-    EXPECT_NE(now, "");
+  const auto queries = {"SELECT group_concat(id || name || hidden || size_x_m) FROM objects",
+                        "SELECT group_concat(object || ' ' || frame_index) FROM views",
+                        "SELECT group_concat(action || ' ' || coalesce(object, '')) FROM events"};
+  for (const char* query : queries) {
+    const std::string rows = OtherProgram(request(1).database).ask(query);
+    EXPECT_EQ(rows, OtherProgram(quiet.database).ask(query));
+    EXPECT_NE(rows, "");
   }
   ASSERT_FALSE(log_.all<ScanFinished>().empty());
   EXPECT_GE(log_.all<ScanFinished>().back().report.objects.size(), 3U);
 }
 
-TEST_F(ScanFailures, ACatalogueThatStaysLockedCostsNoOtherResult) {
+TEST_F(ScanFailuresTest, CatalogueThatStaysLockedLosesNoOtherResult) {
   ScanRequest requested = request(40);
   requested.catalogue_patience = std::chrono::seconds(1);
   scanAndPause(2, requested);
   {
     OtherProgram other(requested.database);
     other.execute("BEGIN IMMEDIATE");
-    goOn();
+    resumeToEnd();
     other.execute("ROLLBACK");
   }
-  EXPECT_EQ(worker_.state(), ScanState::failed) << "the catalogue has not got what was found";
+  EXPECT_EQ(worker_.state(), ScanState::failed) << "the objects are not in the catalogue";
   EXPECT_THAT(log_.failure(),
               AllOf(HasSubstr("catalogue.sqlite"), HasSubstr("has not got"), HasSubstr("locked")));
   EXPECT_LE(log_.all<CatalogueFailed>().size(), 1U);
@@ -163,23 +163,23 @@ TEST_F(ScanFailures, ACatalogueThatStaysLockedCostsNoOtherResult) {
   expectAllFiles();
 }
 
-TEST_F(ScanFailures, ACatalogueThatIsLockedWhenTheScanStartsIsWrittenLater) {
+TEST_F(ScanFailuresTest, CatalogueLockedAtTheStartIsWrittenLater) {
   ASSERT_TRUE(ObjectDatabase::open(request(1).database));
   OtherProgram other(request(1).database);
   other.execute("BEGIN IMMEDIATE");
   scanAndPause(2, request(4));
   other.execute("ROLLBACK");
-  goOn();
+  resumeToEnd();
   EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
   EXPECT_EQ(other.ask("SELECT count(*) FROM sessions"), "1");
 }
 
-TEST_F(ScanFailures, ACatalogueThatIsDamagedMeanwhileCostsNoResult) {
+TEST_F(ScanFailuresTest, CatalogueDamagedDuringTheScanLosesNoResult) {
   ScanRequest requested = request(8);
   requested.catalogue_patience = std::chrono::seconds(1);
   scanAndPause(2, requested);
   OtherProgram(requested.database).execute("DROP TABLE events");
-  goOn();
+  resumeToEnd();
   EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("catalogue.sqlite"), HasSubstr("damaged")));
   EXPECT_EQ(log_.all<CatalogueFailed>().size(), 1U);
@@ -187,7 +187,7 @@ TEST_F(ScanFailures, ACatalogueThatIsDamagedMeanwhileCostsNoResult) {
   expectAllFiles();
 }
 
-TEST_F(ScanFailures, WhatIsStoredInAPauseIsAnnouncedInIt) {
+TEST_F(ScanFailuresTest, ObjectsStoredInAPauseAreReportedInIt) {
   scanAndPause(2, request(60));
   OtherProgram other(request(1).database);
   other.execute("BEGIN IMMEDIATE");
@@ -206,17 +206,17 @@ TEST_F(ScanFailures, WhatIsStoredInAPauseIsAnnouncedInIt) {
         snapshot->objects, [](const SeenObject& seen) { return seen.object && !seen.name.empty(); }));
   }
   EXPECT_FALSE(log_.all<ObjectAdded>().empty());
-  EXPECT_GT(named, 0U) << "the window shows it";
+  EXPECT_GT(named, 0U) << "a snapshot has the name";
   EXPECT_EQ(worker_.state(), ScanState::paused);
   worker_.post(StopScan{});
   worker_.wait();
 }
 
-TEST_F(ScanFailures, ADeviceThatIsLostKeepsWhatWasScanned) {
+TEST_F(ScanFailuresTest, LostDeviceKeepsTheResultsUntilThen) {
   scanAndPause(20, request(60));
   const std::size_t added = log_.all<ObjectAdded>().size();
   failing_device::failAfter(40);  // in the middle of a frame
-  goOn();
+  resumeToEnd();
   failing_device::heal();
   EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("OpenCL device failed in frame 2"), HasSubstr("--device")));
@@ -227,13 +227,13 @@ TEST_F(ScanFailures, ADeviceThatIsLostKeepsWhatWasScanned) {
   EXPECT_GE(log_.all<ObjectAdded>().size(), added);
   EXPECT_EQ(OtherProgram(request(1).database).ask("SELECT count(*) FROM objects"),
             std::to_string(log_.all<ObjectAdded>().size()))
-      << "what was found until then";
+      << "the objects found until then";
   worker_.post(StartScan{request(2)});
   worker_.wait();
-  EXPECT_EQ(worker_.state(), ScanState::finished) << "the next scan is none the worse";
+  EXPECT_EQ(worker_.state(), ScanState::finished) << "the next scan works";
 }
 
-TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) {
+TEST_F(ScanFailuresTest, DeviceLostWhileResultsAreReadLosesNoOtherResult) {
   int calls_that_work = std::numeric_limits<int>::max();
   bool is_scanning = false;
   test::EventLog log;
@@ -241,7 +241,7 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
     log.add(event);
     const auto* state = std::get_if<StateChanged>(&event);
     if (state == nullptr) return;
-    // Once: the refinement is followed by the same state.
+    // Only the first time: the same state follows the refinement.
     if (state->state == ScanState::finishing && is_scanning) failing_device::failAfter(calls_that_work);
     is_scanning = state->state == ScanState::scanning;
   });
@@ -256,9 +256,9 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
   };
   scan();
   ASSERT_EQ(worker.state(), ScanState::finished) << log.failure();
-  const int calls = failing_device::counted(), whole = pointsOfCloud();
+  const int calls = failing_device::counted(), complete = pointsOfCloud();
   ASSERT_GT(calls, 5);
-  ASSERT_GT(whole, 1000);
+  ASSERT_GT(complete, 1000);
   bool was_partial = false;
   const int step = 1 + calls / 12;
   for (int lost = 1; lost <= calls; lost += step) {
@@ -270,22 +270,22 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
     EXPECT_EQ(sessionsWithoutEnd(), "0");
     const int points = pointsOfCloud();
     EXPECT_GE(points, 0);
-    EXPECT_LE(points, whole);
-    was_partial = was_partial || (points > 0 && points < whole);
+    EXPECT_LE(points, complete);
+    was_partial = was_partial || (points > 0 && points < complete);
   }
-  EXPECT_TRUE(was_partial) << "the cloud has what could be read";
+  EXPECT_TRUE(was_partial) << "a partial cloud is written";
   for (const ScanFailed& failed : log.all<ScanFailed>()) {
     EXPECT_THAT(failed.error.message(), HasSubstr("OpenCL device failed"));
   }
 }
 
-TEST_F(ScanFailures, RemovedSessionIsWrittenAnewAndSaid) {
+TEST_F(ScanFailuresTest, RemovedSessionIsWrittenAgain_AndReported) {
   scanAndPause(2, request(6));
   ASSERT_TRUE(fs::remove(out() / "session.sqlite"));
-  goOn();
+  resumeToEnd();
   EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr(out().string()), HasSubstr("written anew")));
-  EXPECT_FALSE(log_.all<MapFailed>().empty()) << "said while the scan runs";
+  EXPECT_FALSE(log_.all<MapFailed>().empty()) << "reported during the scan";
   EXPECT_EQ(posesWritten(), 6U);
   expectAllFiles();
   const auto session = SessionStore::open(out());
@@ -293,14 +293,14 @@ TEST_F(ScanFailures, RemovedSessionIsWrittenAnewAndSaid) {
   EXPECT_EQ((*session)->load()->frames.size(), 6U);
   worker_.post(StartScan{request(2)});
   worker_.wait();
-  EXPECT_EQ(worker_.state(), ScanState::finished) << "the next scan is none the worse";
+  EXPECT_EQ(worker_.state(), ScanState::finished) << "the next scan works";
 }
 
-TEST_F(ScanFailures, FolderWithFilesOfOthersIsRefused_WhoeverChoosesIt) {
+TEST_F(ScanFailuresTest, FolderWithForeignFilesIsRefused) {
   const fs::path mine = folder_.write("out/trajectory.txt", "mine");
   ScanRequest requested = request(2);
   requested.output_folder = out();
-  requested.results = false;  // as the window does it
+  requested.results = false;  // as the window requests it
   worker_.post(StartScan{requested});
   worker_.wait();
   EXPECT_EQ(worker_.state(), ScanState::failed);
@@ -308,14 +308,15 @@ TEST_F(ScanFailures, FolderWithFilesOfOthersIsRefused_WhoeverChoosesIt) {
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
 }
 
-TEST_F(ScanFailures, AFullDiskCostsNothingOfTheCatalogue) {
+TEST_F(ScanFailuresTest, FullDiskLosesNoObject) {
   scanAndPause(2, request(40));
   {
     const test::FullDisk full(out());
-    goOn();
+    resumeToEnd();
   }
   EXPECT_EQ(worker_.state(), ScanState::failed);
-  EXPECT_THAT(log_.failure(), AllOf(HasSubstr("trajectory.txt"), HasSubstr("No space left"))) << "the first";
+  EXPECT_THAT(log_.failure(), AllOf(HasSubstr("trajectory.txt"), HasSubstr("No space left")))
+      << "the first failure";
   EXPECT_EQ(sessionsWithoutEnd(), "0");
   EXPECT_FALSE(log_.all<ObjectAdded>().empty());
   EXPECT_EQ(OtherProgram(request(1).database).ask("SELECT count(*) FROM objects"),
@@ -323,16 +324,16 @@ TEST_F(ScanFailures, AFullDiskCostsNothingOfTheCatalogue) {
   for (const char* name : {"trajectory.txt", "report.json", "cloud.ply", "cloud.pcd", "labels.json"})
     EXPECT_FALSE(fs::exists(out() / name)) << name;
   for (const auto& file : fs::recursive_directory_iterator(out()))
-    EXPECT_NE(file.path().extension(), ".part") << file.path() << " is half a file";
+    EXPECT_NE(file.path().extension(), ".part") << file.path() << " is a partial file";
 }
 
-TEST_F(ScanFailures, ADiskThatFillsUpWithLabelImagesEndsTheScanWithTheRest) {
+TEST_F(ScanFailuresTest, DiskFullOfLabelImagesEndsTheScan_WithTheOtherResults) {
   ScanRequest requested = request(60);
   requested.label_maps = true;
   scanAndPause(2, requested);
   {
     const test::FullDisk full(out() / "labels");
-    goOn();
+    resumeToEnd();
   }
   EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("labels/"), HasSubstr("No space left")));

@@ -1,4 +1,4 @@
-// What can be done with a scan that has ended, and with one that is opened later.
+// Review of a scan after its end, and of a saved scan.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class ScanReviewTest : public ScanWorkerTest {
     return requested;
   }
 
-  /// A snapshot for which `is_requested` holds; null: none comes.
+  /// The next snapshot for which `is_requested` holds; null: none comes within a minute.
   template <class Predicate>
   std::shared_ptr<const ScanSnapshot> awaitShown(const Predicate& is_requested) {
     for (int i = 0; i < 1200; ++i) {
@@ -63,13 +63,13 @@ class ScanReviewTest : public ScanWorkerTest {
   }
 };
 
-TEST_F(ScanReviewTest, AScanThatHasEndedIsStillEdited) {
+TEST_F(ScanReviewTest, EndedScanCanBeEdited) {
   worker_.post(StartScan{reviewed()});
   log_.awaitState(ScanState::finished);
   const auto last = awaitShown([](const ScanSnapshot& s) { return s.state == ScanState::finished; });
   ASSERT_NE(last, nullptr);
   const RegionId region = largestIn(*last);
-  // At once: before the session is open again.
+  // Posted before the session is open again.
   worker_.post(EditRegions{naming(region, "the table")});
   log_.await<Edited>();
   const auto shown = awaitShown([&](const ScanSnapshot& s) {
@@ -84,17 +84,17 @@ TEST_F(ScanReviewTest, AScanThatHasEndedIsStillEdited) {
   log_.await<Edited>(3);
   EXPECT_TRUE(log_.all<EditFailed>().empty());
   worker_.post(CloseScan{});
-  auto kept = OpenSession::open(folder_ / "scan");
-  for (int i = 0; !kept && i < 100; ++i) {  // it takes a moment
+  auto saved = OpenSession::open(folder_ / "scan");
+  for (int i = 0; !saved && i < 100; ++i) {  // the worker closes it after a moment
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    kept = OpenSession::open(folder_ / "scan");
+    saved = OpenSession::open(folder_ / "scan");
   }
-  ASSERT_TRUE(kept) << kept.error().message();
-  EXPECT_EQ((*kept)->noteOf(region).name, "the table");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "cloud.ply")) << "the session only";
+  ASSERT_TRUE(saved) << saved.error().message();
+  EXPECT_EQ((*saved)->noteOf(region).name, "the table");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "cloud.ply")) << "only the session is written";
 }
 
-TEST_F(ScanReviewTest, RemovedSessionIsWrittenAnewWithTheEdit) {
+TEST_F(ScanReviewTest, RemovedSessionIsWrittenAgain_WithTheEdit) {
   worker_.post(StartScan{reviewed()});
   log_.await<ReviewOpened>();
   const auto last = awaitShown([](const ScanSnapshot& s) { return s.state == ScanState::finished; });
@@ -107,23 +107,23 @@ TEST_F(ScanReviewTest, RemovedSessionIsWrittenAnewWithTheEdit) {
   EXPECT_THAT(log_.all<MapFailed>().front().error.message(), testing::HasSubstr("written anew"));
   worker_.post(EditRegions{UndoEdit{}});
   log_.await<Edited>(2);
-  EXPECT_EQ(log_.all<MapFailed>().size(), 1U) << "it is said once";
+  EXPECT_EQ(log_.all<MapFailed>().size(), 1U) << "reported once";
   worker_.post(EditRegions{RedoEdit{}});
   log_.await<Edited>(3);
   worker_.post(StartScan{reopened()});
   log_.await<ReviewOpened>(2);
   worker_.post(CloseScan{});
   worker_.wait();
-  auto kept = OpenSession::open(folder_ / "scan");
-  for (int i = 0; !kept && i < 100; ++i) {  // it takes a moment
+  auto saved = OpenSession::open(folder_ / "scan");
+  for (int i = 0; !saved && i < 100; ++i) {  // the worker closes it after a moment
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    kept = OpenSession::open(folder_ / "scan");
+    saved = OpenSession::open(folder_ / "scan");
   }
-  ASSERT_TRUE(kept) << kept.error().message();
-  EXPECT_EQ((*kept)->noteOf(region).name, "the table");
+  ASSERT_TRUE(saved) << saved.error().message();
+  EXPECT_EQ((*saved)->noteOf(region).name, "the table");
 }
 
-TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
+TEST_F(ScanReviewTest, SavedSessionIsShownEditedAndExported) {
   worker_.post(StartScan{reviewed()});
   log_.await<ReviewOpened>();
   worker_.post(StartScan{reopened()});
@@ -133,7 +133,7 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   ASSERT_GE(first->key_frames->size(), 2U);
   EXPECT_FALSE(first->color.empty());
   EXPECT_FALSE(first->regions.empty());
-  EXPECT_GT(first->changed_bricks.size(), 100U) << "the whole map";
+  EXPECT_GT(first->changed_bricks.size(), 100U) << "the complete map";
   EXPECT_GT(first->trail->size(), 20U);
 
   worker_.post(ShowKeyFrame{0});
@@ -148,7 +148,7 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
       return seen.object && seen.regions.contains(table) && seen.box.area() > 0.05F;
     });
   };
-  EXPECT_FALSE(shows_table(*frame)) << "it is no object: the test shows nothing";
+  EXPECT_FALSE(shows_table(*frame)) << "the table is an object already: the test shows nothing";
   worker_.post(EditRegions{naming(table, "table")});
   log_.await<Edited>();
   EXPECT_NE(awaitShown(shows_table), nullptr);
@@ -169,7 +169,7 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "masks" / "labels.json"));
   EXPECT_FALSE(log_.all<ExportStepped>().empty());
   EXPECT_TRUE(log_.all<ExportFailed>().empty());
-  // Into a folder with something in it: it is said, and all goes on.
+  // The folder is not empty now: the export fails, and the review continues.
   worker_.post(ExportDataset{options});
   log_.await<ExportFailed>();
   worker_.post(EditRegions{UndoEdit{}});
@@ -177,8 +177,8 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   EXPECT_NE(awaitShown([&](const ScanSnapshot& s) { return !shows_table(s); }), nullptr);
 }
 
-// The segments of a key frame are those of the view, and follow k at once; nothing else does.
-TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
+// Segments of a shown key frame are computed again when k changes; regions and map do not change.
+TEST_F(ScanReviewTest, KeyFrameIsSegmentedAgain_WhenParametersChange) {
   ScanRequest requested = reviewed();
   worker_.post(StartScan{requested});
   log_.await<ReviewOpened>();
@@ -198,14 +198,14 @@ TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
   EXPECT_EQ(finer->shown_key_frame, first->shown_key_frame);
   EXPECT_TRUE(finer->changed_bricks.empty());
   EXPECT_TRUE(finer->changed_regions.empty());
-  // And the next one that is shown, too.
+  // The next shown key frame uses the new k too.
   worker_.post(ShowKeyFrame{0});
   const auto next = awaitShown([](const ScanSnapshot& s) { return s.shown_key_frame == 0; });
   ASSERT_NE(next, nullptr);
   EXPECT_GT(segmentsIn(*next), few);
 }
 
-TEST_F(ScanReviewTest, WhatIsNoSessionIsSaid) {
+TEST_F(ScanReviewTest, ReportsAFolderWithoutASession) {
   worker_.post(StartScan{reopened()});
   log_.awaitState(ScanState::failed);
   EXPECT_NE(log_.failure().find("scan"), std::string::npos);
@@ -213,7 +213,7 @@ TEST_F(ScanReviewTest, WhatIsNoSessionIsSaid) {
   log_.awaitState(ScanState::finished);
 }
 
-TEST_F(ScanReviewTest, WhileItScansNoDataSetIsMade) {
+TEST_F(ScanReviewTest, RefusesAnExport_DuringAScan) {
   ScanRequest requested = reviewed();
   requested.start_paused = true;
   worker_.post(StartScan{requested});

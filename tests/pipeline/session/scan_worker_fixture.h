@@ -15,7 +15,7 @@
 
 namespace scantrove::test {
 
-/// Collects a session's events on the worker thread and lets a test wait for them.
+/// Collects the events of a scan on the worker thread; tests wait for them.
 class EventLog {
  public:
   void add(const ScanEvent& event) {
@@ -24,15 +24,15 @@ class EventLog {
     arrived_.notify_all();
   }
 
-  /// Waits until the session entered `state` for the `times`-th time.
+  /// Waits until the scan enters `state` for the `times`-th time.
   void awaitState(ScanState state, int times = 1) {
     std::unique_lock lock(mutex_);
     const bool in_time =
         arrived_.wait_for(lock, std::chrono::seconds(120), [&] { return countOf(state) >= times; });
-    ASSERT_TRUE(in_time) << "state " << static_cast<int>(state) << " never came";
+    ASSERT_TRUE(in_time) << "state " << static_cast<int>(state) << " did not come";
   }
 
-  /// Waits until so many events of a kind have come.
+  /// Waits for `count` events of a kind.
   template <class Event>
   void await(std::size_t count = 1) {
     std::unique_lock lock(mutex_);
@@ -41,7 +41,7 @@ class EventLog {
       for (const ScanEvent& event : events_) found += std::holds_alternative<Event>(event) ? 1U : 0U;
       return found >= count;
     };
-    ASSERT_TRUE(arrived_.wait_for(lock, std::chrono::seconds(120), has)) << "an event never came";
+    ASSERT_TRUE(arrived_.wait_for(lock, std::chrono::seconds(120), has)) << "an event did not come";
   }
 
   [[nodiscard]] std::vector<ScanState> states() {
@@ -94,11 +94,11 @@ class ScanWorkerTest : public testing::Test {
     request.source = "demo";
     request.source_options.frames = frames;
     request.database = (folder_ / "catalogue.sqlite").string();
-    request.params.fusion.working_width = 160;  // quick; nothing here depends on it
+    request.params.fusion.working_width = 160;  // for speed; no test depends on it
     return request;
   }
 
-  /// The next snapshot that says `frames_done` frames; steps post one each.
+  /// The next snapshot with at least `frames_done` frames; each step posts one. Null: none comes.
   std::shared_ptr<const ScanSnapshot> awaitSnapshot(int frames_done) {
     for (int i = 0; i < 12000; ++i) {
       if (auto snapshot = worker_.snapshots().collect(); snapshot && snapshot->frames.done() >= frames_done) {

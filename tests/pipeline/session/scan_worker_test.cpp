@@ -35,7 +35,7 @@ TEST_F(ScanWorkerTest, RunsARecordingToItsEnd) {
 }
 
 #ifdef __linux__
-TEST_F(ScanWorkerTest, BesideAWindowItGivesWay) {
+TEST_F(ScanWorkerTest, LowersItsPriority_WithAWindow) {
   std::atomic<int> niceness = 0;
   ScanWorker worker(
       [&](const ScanEvent&) { niceness = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())); },
@@ -46,7 +46,7 @@ TEST_F(ScanWorkerTest, BesideAWindowItGivesWay) {
 }
 #endif
 
-TEST_F(ScanWorkerTest, StepsAreOneFrameEach) {
+TEST_F(ScanWorkerTest, StepProcessesOneFrame) {
   ScanRequest paused = request(10);
   paused.start_paused = true;
   worker_.post(StartScan{std::move(paused)});
@@ -64,7 +64,7 @@ TEST_F(ScanWorkerTest, StepsAreOneFrameEach) {
   EXPECT_EQ(worker_.state(), ScanState::finished);
 }
 
-TEST_F(ScanWorkerTest, StopEndsAScanCleanlyWithItsResults) {
+TEST_F(ScanWorkerTest, StopEndsAScan_WithItsResults) {
   ScanRequest long_scan = request(150);
   long_scan.output_folder = folder_ / "out";
   worker_.post(StartScan{std::move(long_scan)});
@@ -76,8 +76,8 @@ TEST_F(ScanWorkerTest, StopEndsAScanCleanlyWithItsResults) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "cloud.ply"));
 }
 
-// While paused, a person tries segment sizes out: they see them, and the scan does not.
-TEST_F(ScanWorkerTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) {
+// Parameters tried in a pause change the shown segments, but not the scan.
+TEST_F(ScanWorkerTest, PausedFrameIsSegmentedAgain_WhenParametersChange) {
   const auto segmentsIn = [](const ScanSnapshot& snapshot) {
     double most = 0;
     cv::minMaxLoc(snapshot.segments, nullptr, &most);
@@ -129,30 +129,30 @@ TEST_F(ScanWorkerTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) {
   plain.output_folder = folder_ / "plain";
   worker_.post(StartScan{plain});
   worker_.wait();
-  const auto bytesOf = [&](const char* of) {
-    std::ifstream file(folder_ / of / "cloud.ply", std::ios::binary);
+  const auto bytesOf = [&](const char* scan) {
+    std::ifstream file(folder_ / scan / "cloud.ply", std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
   const std::string cloud = bytesOf("plain");
   ASSERT_GT(cloud.size(), 10'000U);
-  EXPECT_TRUE(bytesOf("tried") == cloud) << "the scan that went on is another";
+  EXPECT_TRUE(bytesOf("tried") == cloud) << "the tried parameters changed the scan";
 }
 
-TEST_F(ScanWorkerTest, PauseHoldsAndResumeGoesOn) {
+TEST_F(ScanWorkerTest, PauseStopsFrames_AndResumeContinues) {
   worker_.post(StartScan{request(60)});
   ASSERT_TRUE(awaitSnapshot(1));
   worker_.post(PauseScan{});
   log_.awaitState(ScanState::paused);
-  const auto held = awaitSnapshot(1);
-  ASSERT_TRUE(held);
+  const auto paused = awaitSnapshot(1);
+  ASSERT_TRUE(paused);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  EXPECT_FALSE(worker_.snapshots().collect()) << "a paused scan went on";
+  EXPECT_FALSE(worker_.snapshots().collect()) << "a paused scan continued";
   worker_.post(ResumeScan{});
   worker_.wait();
   EXPECT_EQ(worker_.state(), ScanState::finished);
 }
 
-TEST_F(ScanWorkerTest, AFailedStartIsToldAndTheNextOneWorks) {
+TEST_F(ScanWorkerTest, FailedStartIsReported_AndTheNextOneWorks) {
   ScanRequest wrong = request(3);
   wrong.source = "/no/such/recording";
   worker_.post(StartScan{std::move(wrong)});
@@ -164,7 +164,7 @@ TEST_F(ScanWorkerTest, AFailedStartIsToldAndTheNextOneWorks) {
   EXPECT_EQ(worker_.state(), ScanState::finished);
 }
 
-TEST_F(ScanWorkerTest, ANewStartEndsTheOldScan) {
+TEST_F(ScanWorkerTest, NewStartEndsThePreviousScan) {
   worker_.post(StartScan{request(150)});
   ASSERT_TRUE(awaitSnapshot(1));
   worker_.post(StartScan{request(2)});
@@ -174,7 +174,7 @@ TEST_F(ScanWorkerTest, ANewStartEndsTheOldScan) {
   EXPECT_EQ(std::count(states.begin(), states.end(), ScanState::starting), 2);
 }
 
-TEST_F(ScanWorkerTest, RefusesEditsAndExportsWhileNothingIsOpen) {
+TEST_F(ScanWorkerTest, RefusesEditsAndExports_WithoutAScan) {
   worker_.post(EditRegions{UndoEdit{}});
   ASSERT_NO_FATAL_FAILURE(log_.await<EditFailed>());
   worker_.post(PreviewExport{});
@@ -184,7 +184,7 @@ TEST_F(ScanWorkerTest, RefusesEditsAndExportsWhileNothingIsOpen) {
   EXPECT_EQ(worker_.state(), ScanState::idle);
 }
 
-TEST_F(ScanWorkerTest, PassesEveryEditOnBeforeItCloses) {
+TEST_F(ScanWorkerTest, ProcessesAllEdits_BeforeItCloses) {
   ScanRequest paused = request(40);
   paused.start_paused = true;
   worker_.post(StartScan{std::move(paused)});
@@ -198,7 +198,7 @@ TEST_F(ScanWorkerTest, PassesEveryEditOnBeforeItCloses) {
             (std::vector{ScanState::starting, ScanState::paused, ScanState::finishing, ScanState::finished}));
 }
 
-TEST_F(ScanWorkerTest, GivenPosesAreRefusedWhereThereAreNone) {
+TEST_F(ScanWorkerTest, RefusesGivenPoses_WhenTheSourceHasNone) {
   ScanRequest given = request(3);
   given.source = "camera:Dummy";
   given.poses = ScanRequest::Poses::given;
@@ -208,8 +208,7 @@ TEST_F(ScanWorkerTest, GivenPosesAreRefusedWhereThereAreNone) {
   EXPECT_THAT(log_.failure(), HasSubstr("has no poses"));
 }
 
-// What the window needs to show the scene as it is.
-TEST_F(ScanWorkerTest, SnapshotsCarryTheScenesColorsAndWhereItsSurfaceIs) {
+TEST_F(ScanWorkerTest, SnapshotsHaveColorsNormalsAndHeights) {
   worker_.post(StartScan{request(20)});
   worker_.wait();
   const auto last = worker_.snapshots().collect();
@@ -227,12 +226,12 @@ TEST_F(ScanWorkerTest, SnapshotsCarryTheScenesColorsAndWhereItsSurfaceIs) {
   }
   ASSERT_GT(points, 10'000U);
   EXPECT_GT(static_cast<double>(with_normal), 0.95 * static_cast<double>(points));
-  // Bricks take turns in being coloured (ColorIntegrator), so not all have been by now.
+  // ColorIntegrator colours bricks in turn, so some have no colour yet.
   EXPECT_GT(static_cast<double>(with_color), 0.4 * static_cast<double>(points));
   EXPECT_GT(colors.size(), 500U);
 }
 
-// The window may be slow: what a skipped snapshot held comes with the next.
+// A slow window skips snapshots; their bricks come with the next one.
 TEST_F(ScanWorkerTest, ChangedBricksOfUncollectedSnapshotsAreNotLost) {
   worker_.post(StartScan{request(6)});
   worker_.wait();
@@ -251,7 +250,7 @@ TEST_F(ScanWorkerTest, ChangedBricksOfUncollectedSnapshotsAreNotLost) {
   }
   EXPECT_GT(points, 10000U);
 
-  // The same scan, collected all the way, sends the same bricks.
+  // The same scan sends the same bricks when all snapshots are collected.
   std::set<std::tuple<int, int, int>> bricks_again;
   ScanWorker other([](const ScanEvent&) {});
   other.post(StartScan{request(6)});

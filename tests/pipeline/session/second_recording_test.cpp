@@ -1,4 +1,4 @@
-// A session that goes on with another recording whose frame numbers and times begin at 0 again.
+// A session that resumes with another recording, whose frame numbers and times start at 0 again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::ptrdiff_t filesIn(const std::filesystem::path& folder) {
   return std::distance(std::filesystem::directory_iterator(folder), {});
 }
 
-class SecondRecording : public testing::Test {
+class SecondRecordingTest : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(runScan(scanOf(folder_ / "scan", kFirst)).report);
@@ -56,7 +56,7 @@ class SecondRecording : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(SecondRecording, ItsFramesComeAfterThoseOfTheFirst) {
+TEST_F(SecondRecordingTest, FramesFollowThoseOfTheFirst) {
   const std::vector<double> times = timesIn(folder_ / "scan" / "trajectory.txt");
   EXPECT_EQ(times.size(), static_cast<std::size_t>(kFirst + kSecond));
   EXPECT_EQ(std::ranges::adjacent_find(times, std::greater_equal{}), times.end())
@@ -75,8 +75,8 @@ TEST_F(SecondRecording, ItsFramesComeAfterThoseOfTheFirst) {
   EXPECT_EQ(*numbers.rbegin(), kFirst + kSecond - 1);
 }
 
-/// The images in labels-final/ that the session would have now, compared with those that are there.
-TEST_F(SecondRecording, FinalLabelsOfAllFramesShowTheRegionsAtTheEnd) {
+// Renders the final labels from the session and compares them with the files in labels-final/.
+TEST_F(SecondRecordingTest, FinalLabelsShowTheRegionsAtTheEnd) {
   const QtMainThread qt;
   const auto session = OpenSession::open(folder_ / "scan");
   ASSERT_TRUE(session) << session.error().message();
@@ -99,7 +99,7 @@ TEST_F(SecondRecording, FinalLabelsOfAllFramesShowTheRegionsAtTheEnd) {
   }
 }
 
-TEST_F(SecondRecording, TheSessionKnowsItsOwnFrameNumbersAndTimes) {
+TEST_F(SecondRecordingTest, SessionStoresTheShiftOfFrameNumbersAndTimes) {
   const QtMainThread qt;
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();

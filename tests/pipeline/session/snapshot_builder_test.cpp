@@ -26,7 +26,7 @@ Bricks bricksOf(const ScanSnapshot& snapshot) {
   return bricks;
 }
 
-/// The builder behind a small pipeline that films the table top with its true poses.
+/// A builder with a small pipeline that scans the synthetic table top with true poses.
 class SnapshotBuilderTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -48,7 +48,7 @@ class SnapshotBuilderTest : public testing::Test {
     pipeline_ = std::move(*pipeline);
   }
 
-  /// Processes a frame, with its pose or without; its bricks.
+  /// Processes the next frame, with or without its pose. Result: the bricks that it touched.
   Bricks addFrame(bool with_pose = true) {
     FrameRead read = source_->next();
     if (!with_pose) read.frame.T_world_camera.reset();
@@ -63,7 +63,7 @@ class SnapshotBuilderTest : public testing::Test {
     return bricks;
   }
 
-  /// The snapshot that comes once the pause between two is over; null when none comes.
+  /// The next snapshot after the minimum interval; null: none comes.
   std::shared_ptr<const ScanSnapshot> nextWhenDue() {
     std::this_thread::sleep_for(std::chrono::milliseconds(120));
     EXPECT_TRUE(builder_.postWhenDue(*pipeline_, progress_));
@@ -78,7 +78,7 @@ class SnapshotBuilderTest : public testing::Test {
   ScanProgress progress_{ScanState::scanning, {}, 10};
 };
 
-TEST_F(SnapshotBuilderTest, SendsABoundedNumberOfBricksUntilAllWereSent) {
+TEST_F(SnapshotBuilderTest, SendsAllBricks_ALimitedNumberPerSnapshot) {
   const Bricks changed = addFrame();
   ASSERT_GT(changed.size(), SnapshotBuilder::kMaxBricks);
   Bricks sent;
@@ -98,7 +98,7 @@ TEST_F(SnapshotBuilderTest, SendsABoundedNumberOfBricksUntilAllWereSent) {
   EXPECT_EQ(idle->trail->size(), 1U);
 }
 
-TEST_F(SnapshotBuilderTest, HoldsNumbersAloneWhereNobodyLooks) {
+TEST_F(SnapshotBuilderTest, HasNumbersOnly_WithoutPictures) {
   builder_.omitPictures();
   ASSERT_FALSE(addFrame().empty());
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
@@ -125,12 +125,12 @@ TEST_F(SnapshotBuilderTest, CountsTheRegionsInView) {
   EXPECT_EQ(snapshot->region_count, static_cast<int>(in_view.size()));
 }
 
-// However much waits: what a person did comes with the next snapshot, and is marked.
-TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
+// Changes by a user come with the next snapshot, marked, however many bricks wait.
+TEST_F(SnapshotBuilderTest, SendsChangesByAUserFirst) {
   static_cast<void>(addFrame());
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
   const auto all = mailbox_.collect();
-  // The largest region, between its leftmost and its rightmost point.
+  // Cuts the largest region between its leftmost and rightmost points.
   std::map<RegionId, std::vector<Eigen::Vector3f>> points;
   for (const CloudBrick& brick : all->changed_bricks) {
     EXPECT_FALSE(brick.by_person);
@@ -142,7 +142,7 @@ TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
   const auto [left, right] = std::ranges::minmax_element(
       largest->second, {}, [](const Eigen::Vector3f& point) { return point.x(); });
   const Bricks changed = addFrame();
-  ASSERT_GT(changed.size(), SnapshotBuilder::kMaxBricks) << "all of these wait";
+  ASSERT_GT(changed.size(), SnapshotBuilder::kMaxBricks) << "all of them wait";
   Operation cut{.kind = OperationKind::cut, .regions = {largest->first}};
   cut.here_world = {*left};
   cut.there_world = {*right};
@@ -159,7 +159,7 @@ TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
   for (std::ptrdiff_t i = 0; i < edited; ++i)
     EXPECT_TRUE(shown->changed_bricks[static_cast<std::size_t>(i)].by_person) << i;
   EXPECT_GT(std::ranges::count_if(shown->changed_regions, isByPerson), 0);
-  // Nothing is lost or sent twice by that.
+  // No brick is lost or sent twice.
   Bricks sent = bricksOf(*shown);
   std::size_t count = shown->changed_bricks.size();
   for (auto next = nextWhenDue(); !next->changed_bricks.empty(); next = nextWhenDue()) {
@@ -169,7 +169,7 @@ TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
   }
   EXPECT_EQ(sent.size(), count);
   EXPECT_TRUE(std::ranges::includes(sent, changed));
-  // Taken back: only regions change.
+  // An undo changes regions only.
   builder_.beginEdit(*pipeline_);
   ASSERT_TRUE(pipeline_->undo());
   builder_.endEdit(*pipeline_);
@@ -179,7 +179,7 @@ TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
   EXPECT_TRUE(std::ranges::all_of(undone->changed_regions, isByPerson));
 }
 
-TEST_F(SnapshotBuilderTest, WhileTheCameraIsLostShowsWhatItSawLast) {
+TEST_F(SnapshotBuilderTest, HasTheLastTrackedImage_WhileTrackingIsLost) {
   addFrame();
   const auto tracked = nextWhenDue();
   ASSERT_TRUE(tracked);
@@ -192,10 +192,10 @@ TEST_F(SnapshotBuilderTest, WhileTheCameraIsLostShowsWhatItSawLast) {
   EXPECT_EQ(cv::norm(lost->last_seen, tracked->color, cv::NORM_INF), 0);
   progress_.state = ScanState::finished;
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
-  EXPECT_TRUE(mailbox_.collect()->last_seen.empty()) << "nobody looks for it any more";
+  EXPECT_TRUE(mailbox_.collect()->last_seen.empty()) << "the scan has ended";
 }
 
-TEST_F(SnapshotBuilderTest, MakesNoneBeforeTheLastWasCollected) {
+TEST_F(SnapshotBuilderTest, PostsNoSnapshot_BeforeTheLastIsCollected) {
   static_cast<void>(addFrame());
   ASSERT_TRUE(builder_.postWhenDue(*pipeline_, progress_));
   static_cast<void>(addFrame());
@@ -207,7 +207,7 @@ TEST_F(SnapshotBuilderTest, MakesNoneBeforeTheLastWasCollected) {
   EXPECT_FALSE(mailbox_.collect());
 }
 
-TEST_F(SnapshotBuilderTest, AFlushCarriesWhatWasNotCollectedAndAllThatWaits) {
+TEST_F(SnapshotBuilderTest, FlushSendsUncollectedAndWaitingBricks) {
   Bricks changed = addFrame();
   ASSERT_TRUE(builder_.postWhenDue(*pipeline_, progress_));  // skipped by the window
   changed.merge(addFrame());
@@ -224,8 +224,7 @@ TEST_F(SnapshotBuilderTest, AFlushCarriesWhatWasNotCollectedAndAllThatWaits) {
   }
 }
 
-// Fragments that did not change region are not sent again.
-TEST_F(SnapshotBuilderTest, OnlyChangedRegionsAreSent) {
+TEST_F(SnapshotBuilderTest, SendsChangedRegionsOnly) {
   static_cast<void>(addFrame());
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
   const auto first = mailbox_.collect();
@@ -234,8 +233,7 @@ TEST_F(SnapshotBuilderTest, OnlyChangedRegionsAreSent) {
   EXPECT_TRUE(mailbox_.collect()->changed_regions.empty());
 }
 
-// Newer points of a brick have a greater version than those that went before them.
-TEST_F(SnapshotBuilderTest, VersionsGrow) {
+TEST_F(SnapshotBuilderTest, NewerBricksHaveGreaterVersions) {
   static_cast<void>(addFrame());
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
   const auto first = mailbox_.collect();
@@ -247,7 +245,7 @@ TEST_F(SnapshotBuilderTest, VersionsGrow) {
   EXPECT_GT(second->changed_bricks.front().version, first->changed_bricks.back().version);
 }
 
-/// Brick -> its points.
+/// Points by brick.
 using Shown =
     std::map<std::tuple<int, int, int>, std::vector<std::tuple<float, float, float, std::uint32_t>>>;
 
@@ -259,9 +257,9 @@ void show(const ScanSnapshot& snapshot, Shown& shown) {
   }
 }
 
-// Bricks that went to disk before they were sent are sent, and those that were keep what is shown of them
-// when others take their slots.
-TEST_F(SnapshotBuilderTest, ShowsTheSameWhenMostOfTheMapIsOnDisk) {
+// Bricks that moved to disk before they were sent are still sent; sent bricks keep their shown points when
+// others reuse their slots.
+TEST_F(SnapshotBuilderTest, SendsTheSame_WhenMostOfTheMapIsOnDisk) {
   SyntheticOptions options;
   options.set = synthetic::makeCorridorSet;
   options.K = Intrinsics{131, 131, 79.5F, 59.5F, 160, 120};
@@ -279,7 +277,7 @@ TEST_F(SnapshotBuilderTest, ShowsTheSameWhenMostOfTheMapIsOnDisk) {
     source_ = std::move(*makeSyntheticSource(options));
     SnapshotBuilder builder(mailbox_);
     std::uint64_t stored = 0;
-    Shown& of_run = shown[budget_mb == 0 ? 0 : 1];
+    Shown& shown_in_run = shown[budget_mb == 0 ? 0 : 1];
     for (FrameRead read = source_->next(); read.status == FrameRead::Status::frame; read = source_->next()) {
       Result<FrameResult> result = pipeline_->processFrame(read.frame);
       ASSERT_TRUE(result) << result.error().message();
@@ -288,10 +286,10 @@ TEST_F(SnapshotBuilderTest, ShowsTheSameWhenMostOfTheMapIsOnDisk) {
       stored = std::max(stored, pipeline_->bricks().storedBytes());
       if (index / options.stride % 5 != 4) continue;
       ASSERT_TRUE(builder.flush(*pipeline_, progress_));
-      show(*mailbox_.collect(), of_run);
+      show(*mailbox_.collect(), shown_in_run);
     }
     ASSERT_TRUE(builder.flush(*pipeline_, progress_));
-    show(*mailbox_.collect(), of_run);
+    show(*mailbox_.collect(), shown_in_run);
     EXPECT_EQ(stored > 0, budget_mb > 0);
     EXPECT_FALSE(pipeline_->bricks().takeFailure());
   }

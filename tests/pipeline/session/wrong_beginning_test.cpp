@@ -1,4 +1,4 @@
-// Recordings whose first frame shows something else than all others.
+// Recordings whose first frame shows another scene than the rest.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr int kRecordedFrames = 42, kLost = 1 + ScanAdvisor::kLostFrames;
 
-/// A ball close to the camera, where all other frames show a table.
+/// Replaces a frame of the table by a ball close to the camera.
 void showBall(RgbdFrame& frame) {
   for (int v = 0; v < frame.depth.rows; ++v) {
     for (int u = 0; u < frame.depth.cols; ++u) {
@@ -33,12 +33,12 @@ void showBall(RgbdFrame& frame) {
   frame.color.setTo(cv::Scalar(40, 90, 160));
 }
 
-class WrongBeginningTest : public testing::Test {
+class WrongFirstFrameTest : public testing::Test {
  protected:
   void SetUp() override {
     writeRecording(folder_ / "rec", smallRecording(), kRecordedFrames, [](RgbdFrame& frame) {
       if (frame.index == 0) showBall(frame);
-      // What the camera sees is what counts.
+      // Poses must come from tracking.
       frame.T_world_camera.reset();
     });
     ScanRequest request;
@@ -53,7 +53,7 @@ class WrongBeginningTest : public testing::Test {
   ScanEnding ending_;
 };
 
-TEST_F(WrongBeginningTest, TheMapBeginsAnewAfterASecond) {
+TEST_F(WrongFirstFrameTest, MapStartsAgain_AfterASecond) {
   const ScanReport& report = *ending_.report;
   EXPECT_EQ(report.frames.lost, kLost);
   EXPECT_EQ(report.frames.tracked, kRecordedFrames - kLost);
@@ -64,7 +64,7 @@ TEST_F(WrongBeginningTest, TheMapBeginsAnewAfterASecond) {
   EXPECT_GT(report.regions, 0);
 }
 
-TEST_F(WrongBeginningTest, NothingIsKeptOfTheFirstMap) {
+TEST_F(WrongFirstFrameTest, NothingOfTheFirstMapIsStored) {
   const auto images = std::distance(std::filesystem::directory_iterator(folder_ / "scan" / "labels"), {});
   EXPECT_EQ(images, kRecordedFrames - kLost);
   const QtMainThread qt;
