@@ -1,5 +1,5 @@
-// A catalogue of many views: how long it takes and how much memory to open it and read all descriptors, and
-// what an edit, a question for changes and another view cost in it. The argument is the number of views.
+// A catalogue of many views: time and memory to open it and to read all descriptors; time of an edit, a poll
+// for changes and another view. The argument is the number of views.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -38,7 +38,7 @@ void copyRows(DatabaseConnection& connection, const char* sql, int first, int co
   SCANTROVE_CHECK(connection.execute(sql, {first, first + count - 1}));
 }
 
-/// Fills a catalogue with copies of a few real rows: SQLite copies thousands a second.
+/// Fills a catalogue with copies of a few real rows, thousands per second.
 void fill(const fs::path& file, int views) {
   const int objects = views / kViewsOfAnObject;
   {
@@ -88,7 +88,7 @@ void fill(const fs::path& file, int views) {
   SCANTROVE_CHECK(connection->execute("COMMIT"));
 }
 
-/// A catalogue of so many views, made once for all benchmarks that ask for it.
+/// A catalogue of `views` views, made once for all benchmarks.
 const std::string& catalogue(int views) {
   static const std::unique_ptr<fs::path, void (*)(fs::path*)> folder(
       new fs::path(fs::temp_directory_path() / ("scantrove-benchmark-" + std::to_string(::getpid()))),
@@ -129,7 +129,7 @@ void BM_OpenAndReadDescriptors(benchmark::State& state) {
   state.counters["memory_mb"] = growth_mb;
 }
 
-/// Views that an older version stored are described when they are first read.
+/// Views of an older version get their descriptors at the first read.
 void BM_DescribeOlderViews(benchmark::State& state) {
   const std::string& file = catalogue(static_cast<int>(state.range(0)));
   const auto database = ObjectDatabase::open(file).value();
@@ -154,7 +154,7 @@ void BM_ListPicture(benchmark::State& state) {
 
 void BM_Rename(benchmark::State& state) {
   const auto database = ObjectDatabase::open(catalogue(static_cast<int>(state.range(0)))).value();
-  static int i = 0;  // the function runs several times, and a name that stays is no change
+  static int i = 0;  // the function runs several times, and an equal name is no change
   for (auto _ : state) SCANTROVE_CHECK(database->rename(ObjectId{3}, "mug " + std::to_string(++i)));
 }
 

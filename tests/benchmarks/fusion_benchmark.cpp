@@ -1,7 +1,6 @@
-// The dense map on the kitchen recording (without it, the demo) with its own poses, after so many frames:
-// what integrating that frame again and casting its view cost. The map's cost follows the view, so the
-// numbers may differ by what is seen, not by how much was scanned. Wall time is on however many cores the
-// device has; CPU time is the process's.
+// The dense map after N frames of the kitchen recording (or the demo) with given poses: time to integrate the
+// last frame again and to raycast its view. The cost must depend on the view, not on the size of the map.
+// Wall time uses all cores of the device; CPU time is that of the process.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -28,7 +27,7 @@ ComputeContext& device() {
   return **compute;
 }
 
-/// The map after some frames of the recording, ready to take the last of them once more.
+/// The map after some frames of the recording, ready to integrate the last one again.
 struct Scan {
   std::unique_ptr<DepthPreprocessor> preprocessor;
   std::unique_ptr<DenseMap> map;

@@ -1,15 +1,15 @@
-// A scripted person labels in the real window: how many clicks, keys and seconds a task takes. Mouse and
-// keyboard are the display's own (xdotool must be installed), so that what is under the pointer gets them.
-// Needs a display.
+// A script labels in the real window: number of clicks and keys, and seconds of a task. xdotool (must be
+// installed) sends mouse and keyboard events to the display, so the widget under the pointer gets them. Needs
+// a display.
 //   labeling_benchmark SOURCE --script FILE [--pictures DIR] [--data DIR]
-// A script has one command a line; # begins a comment:
-//   pause N       hold the scan a little before frame N, then go there frame by frame
-//   review        wait until the scan has ended and is open
-//   show N        turn the key frames until that of frame N, or the last before it, is shown
+// A script has one command per line; # starts a comment:
+//   pause N       pause shortly before frame N, then step to it
+//   review        wait for the review of the ended scan
+//   show N        show the key frame of frame N, or the last before it
 //   click U V [ctrl|shift|right|double]    in the colour picture, in pixels of a 640 x 480 image
-//   key K         as xdotool names it: Return, ctrl+z, space
-//   type TEXT     into whatever has the keyboard
-//   picture NAME  save what the display shows
+//   key K         a key in xdotool's notation: Return, ctrl+z, space
+//   type TEXT     into the focused field
+//   picture NAME  save a screenshot of the display
 //   wait MS
 #include <QApplication>
 #include <QDir>
@@ -48,7 +48,7 @@ class Person {
     });
   }
 
-  /// False: the command is none, or what it waits for did not come.
+  /// False: the command is unknown, or it timed out.
   bool obey(const QString& line) {
     const QString command = line.section(QLatin1Char(' '), 0, 0);
     const QString rest = line.section(QLatin1Char(' '), 1).trimmed();
@@ -84,7 +84,7 @@ class Person {
       QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
     return holds();
   }
-  /// While another program works, the window does.
+  /// Processes events of the window while another program runs.
   static bool run(const QString& program, const QStringList& arguments) {
     QProcess process;
     process.start(program, arguments);
@@ -115,7 +115,7 @@ class Person {
     return done && wait(120);
   }
 
-  /// A scan does not stand at once: what is in the picture then would depend on how fast the machine is.
+  /// A scan does not pause at once, so the shown frame would depend on the speed of the machine.
   bool pauseAt(int frame) {
     constexpr int kEarlier = 30, kStands_ms = 800;
     const auto shown = [&] { return shown_ ? shown_->frame_index : -1; };
@@ -184,7 +184,7 @@ int run(const std::string& source, const QString& script, const QString& picture
   while (!lines.atEnd()) {
     const QString line = lines.readLine().section(QLatin1Char('#'), 0, 0).trimmed();
     if (line.isEmpty() || person.obey(line)) continue;
-    std::cerr << "This could not be done: " << line.toStdString() << '\n';
+    std::cerr << "The command failed: " << line.toStdString() << '\n';
     person.report();
     return 1;
   }
@@ -199,7 +199,7 @@ int run(const std::string& source, const QString& script, const QString& picture
 int main(int argc, char** argv) {
   std::string source, script, pictures, data;
   bool light = false;
-  CLI::App app{"A scripted person labels"};
+  CLI::App app{"Labels by a script in the real window"};
   app.add_option("SOURCE", source)->required();
   app.add_option("--script", script)->required();
   app.add_option("--pictures", pictures, "folder to save them in");

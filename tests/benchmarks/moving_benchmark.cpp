@@ -1,5 +1,5 @@
-// Scans of demo:moving:SEED: is the camera followed while people walk and things move, what of them is left
-// in the cloud, and is the mug that is put elsewhere one object of the catalogue, once?
+// Scans of demo:moving:SEED, in which a person walks and objects move: error of the camera poses, remaining
+// ghost points, and whether the moved mug stays one object of the catalogue.
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -26,8 +26,8 @@ void report(std::uint32_t seed, const test::MovingScan& scan) {
              "people were {:.3f}, mug or chair {:.3f}), over 4 cm {:.3f} %; the mug is object {} before, "
              "{} after",
              seed, scan.tracked, scan.frames, 1000 * scan.ate_m, 1000 * scan.farthest_m,
-             partOf(scan.ghosts_3cm), partOf(scan.of_people), partOf(scan.of_things), partOf(scan.ghosts_4cm),
-             listOf(scan.mug_before), listOf(scan.mug_after))
+             partOf(scan.ghosts_3cm), partOf(scan.of_people), partOf(scan.of_moved_objects),
+             partOf(scan.ghosts_4cm), listOf(scan.mug_before), listOf(scan.mug_after))
       << std::endl;
 }
 
@@ -35,7 +35,7 @@ void report(std::uint32_t seed, const test::MovingScan& scan) {
 }  // namespace scantrove
 
 int main(int argc, char** argv) {
-  CLI::App app("Scans of scenes in which things move");
+  CLI::App app("Scans of scenes with moving objects");
   std::vector<std::uint32_t> seeds;
   int frames = 0;
   app.add_option("seeds", seeds, "of demo:moving")->required();

@@ -1,5 +1,5 @@
-// How quickly a region lights up after the pointer came to it, while a scan runs in the window; and, when it
-// has ended, whether all views say the same of random places. Needs a display (or xvfb-run).
+// During a scan in the window: time from a pointer move to the highlighted region. After it: whether all
+// views return the same region for random points. Needs a display (or xvfb-run).
 //   pointing_benchmark SOURCE [--moves N] [--places N] [--still]
 #include <QApplication>
 #include <QMouseEvent>
@@ -41,7 +41,7 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Hears when a widget gets an event.
+/// Observes the events of a widget.
 class EventListener : public QObject {
  public:
   EventListener(QWidget* widget, QEvent::Type type) : type_(type) { widget->installEventFilter(this); }
@@ -57,9 +57,8 @@ class EventListener : public QObject {
   QEvent::Type type_;
 };
 
-/// Moves the pointer in a view like a hand would, from another thread, and waits until that view was painted
-/// with what is there. None: nothing is there, or it was lit already. (Views say at once what is under the
-/// pointer; what comes there with a later drawing is no answer to this move.)
+/// Moves the pointer in a view from another thread and waits until the view highlights the region there.
+/// Empty: no region is there, or it was highlighted already. Regions that a later frame brings do not count.
 std::optional<double> timeOfLighting(MainWindow& window, QWidget& view, QWidget& painted,
                                      const QPointF& place) {
   const RegionId before = window.regions().selection().hovered();
@@ -93,23 +92,23 @@ void wait(int ms) {
   while (millisecondsSince(start) < ms) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
 }
 
-/// What is truly there: what a ray in the demo's world meets, and where the camera of a frame sees a place of
-/// its picture (in fractions).
+/// The truth: the surface that a ray of the demo's world meets, and rays through points of a picture (in
+/// fractions).
 struct Truth {
   std::shared_ptr<SyntheticSource> source;
   int frame_index = 0;
 
-  /// What is nearest to a place (in metres on the map), along the axes: the map has drifted a little, and
-  /// walls are seen at a glancing angle. None: nothing is near.
+  /// The instance nearest to a point of the map (metres), along the axes: the map drifts a little, and walls
+  /// are seen at a grazing angle. Empty: none is near.
   [[nodiscard]] std::optional<int> near(const Eigen::Vector3f& point) const {
     constexpr double kNear_m = 0.05;
     const Eigen::Vector3d at =
-        source->pose(0) * point.cast<double>();  // the map begins with the first camera
+        source->pose(0) * point.cast<double>();  // the first camera is the origin of the map
     double least_m = kNear_m;
     std::optional<int> nearest;
     for (int axis = 0; axis < 3; ++axis) {
       for (const double sign : {-1.0, 1.0}) {
-        // From before it: surfaces are seen from outside only, and the place may lie a little behind.
+        // Rays start before the point: surfaces are visible from outside only, and the point may lie behind.
         const Eigen::Vector3d direction = sign * Eigen::Vector3d::Unit(axis);
         const RayHit hit = along(at - kNear_m * direction, direction);
         const double off_m = std::abs(hit.distance - kNear_m);
@@ -136,10 +135,10 @@ struct Truth {
                          : source->scene().instances()[static_cast<std::size_t>(instance - 1)].name;
   }
 
-  static constexpr double kWorkingWidth = 320;  ///< pixels of the picture of regions
+  static constexpr double kWorkingWidth = 320;  ///< width of the region image in pixels
 };
 
-/// The pixels beside one.
+/// The neighbours of a pixel.
 constexpr std::array<QPointF, 4> kAround = {QPointF{-1, 0}, QPointF{1, 0}, QPointF{0, -1}, QPointF{0, 1}};
 
 std::optional<Truth> truthOf(const std::string& source, int frame_index) {
@@ -149,14 +148,14 @@ std::optional<Truth> truthOf(const std::string& source, int frame_index) {
   return Truth{std::shared_ptr<SyntheticSource>(std::move(*made)), frame_index};
 }
 
-/// Places that were pointed at, with the instance that is truly there.
+/// A tested point with its true instance.
 struct Picked {
   RegionId region;
   int instance = 0;
-  bool at_border = false;  ///< another instance is a pixel off
+  bool at_border = false;  ///< another instance is one pixel away
 };
 
-/// How many of them lie in a region that is mostly of their instance; and which instances the others are of.
+/// Counts the points in a region that is mostly of their instance, and lists the instances of the others.
 void sayRight(const char* where, const std::vector<Picked>& picked, const Truth& truth) {
   std::map<RegionId, std::map<int, int>> of_region;
   for (const Picked& one : picked) ++of_region[one.region][one.instance];
@@ -195,7 +194,7 @@ void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int pl
     if (!place) continue;
     const QPointF pixel((place->x() + 1) / 2.0 * view->width(), (1 - place->y()) / 2.0 * view->height());
     const RegionPoint in_scene = view->at(pixel);
-    // Something else may stand before it from there.
+    // Another surface may hide it from there.
     if (!in_scene.point_world || (*in_scene.point_world - *in_frame.point_world).norm() > 0.01F) continue;
     ++compared;
     const bool is_same = in_scene.region == in_frame.region;
@@ -217,7 +216,7 @@ void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int pl
   std::cout << "places: " << compared << ", the same region in 3D " << same << "; a pixel off its border "
             << same_inside << " of " << inside << '\n';
   if (!truth) return;
-  // The 3D view is asked for itself: what is drawn at a place, and what the viewer would see there.
+  // The 3D view is compared with the surface that the viewer should see at the pixel.
   int other = 0;
   for (int i = 0; i < 40 * places && static_cast<int>(in_scenes.size()) < places; ++i) {
     const QPointF place(unit(random) * view->width(), unit(random) * view->height());
@@ -294,7 +293,7 @@ int main(int argc, char** argv) {
   std::string source = "demo";
   int moves = 60, places = 500;
   bool still = false;
-  CLI::App app{"How quickly and how rightly regions are pointed at"};
+  CLI::App app{"Speed and accuracy of pointing at regions"};
   app.add_option("SOURCE", source);
   app.add_option("--moves", moves, "of the pointer, while the scan runs");
   app.add_option("--places", places, "to compare when it has ended");

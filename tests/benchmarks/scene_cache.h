@@ -14,14 +14,14 @@
 
 namespace scantrove::benchmarks {
 
-/// Synthetic scenes as recordings with truth in a folder: rendered once, then only read.
+/// Synthetic scenes stored as recordings with truth; each is rendered once.
 class SceneCache {
  public:
-  /// `frames`: only the first of each scene, in a folder of their own; 0: all.
+  /// `frames`: number of frames of each scene, stored in a separate folder; 0: all.
   SceneCache(std::filesystem::path folder, int frames) : folder_(std::move(folder)), frames_(frames) {}
 
-  /// `scene`: "room:7:uneven", as after "demo:". Renders it when it is not there, or when the first frame is
-  /// not what the scene's first frame is now.
+  /// `scene`: "room:7:uneven", as after "demo:". Renders it when it is missing, or when the first frame of
+  /// the scene has changed.
   [[nodiscard]] Result<std::filesystem::path> recordingOf(const std::string& scene) const {
     std::string name = scene;
     std::replace(name.begin(), name.end(), ':', '-');

@@ -14,7 +14,7 @@
 
 namespace scantrove::benchmarks {
 
-/// Which random scenes to scan, and how.
+/// Options: the random scenes and how to scan them.
 struct SceneOptions {
   std::string cache;
   std::vector<std::string> rooms, tables;  ///< "1-3", "7", "5:uneven"
@@ -37,7 +37,7 @@ struct SceneOptions {
     app.add_option("--stride", stride, "every N-th frame")->check(CLI::PositiveNumber);
   }
 
-  /// Names as after "demo:", of "room" or "tabletop".
+  /// The scenes of a kind ("room" or "tabletop"), named as after "demo:".
   [[nodiscard]] std::vector<std::string> scenesOf(const std::string& kind) const {
     std::vector<std::string> scenes;
     for (const std::string& range : kind == "room" ? rooms : tables) {
@@ -53,7 +53,7 @@ struct SceneOptions {
   }
 };
 
-/// The main() of a program that does something with scenes. `add_more` options, where it has some.
+/// The main() of a program for random scenes. `add_more` adds its own options.
 inline int withScenes(int argc, char** argv, const std::string& what_for, SceneOptions& options,
                       const std::function<Result<void>()>& run,
                       const std::function<void(CLI::App&)>& add_more = {}) {
@@ -66,16 +66,16 @@ inline int withScenes(int argc, char** argv, const std::string& what_for, SceneO
   return done ? 0 : 1;
 }
 
-/// What is left of a scan that is done.
+/// The result of a scan.
 struct SceneScan {
   std::unique_ptr<MappingPipeline> pipeline;
   int frames = 0;
   int lost = 0;
   double seconds = 0;
-  double drift_mm = 0;  ///< farthest that the tracked camera was from where it should be
+  double drift_mm = 0;  ///< largest position error of the tracked camera
 };
 
-/// The true instances of a frame of a recording of SceneCache.
+/// The true instances of a frame in a recording of SceneCache.
 inline Result<cv::Mat> truthAt(const std::filesystem::path& recording, int frame_index) {
   return readLabelImage(recording / fmt::format("frame-{:06}.instance.png", frame_index));
 }
@@ -87,7 +87,7 @@ inline cv::Mat truthIn(const cv::Mat& truth, const Intrinsics& K) {
   return resized;
 }
 
-/// Called with a frame of the recording, what it gave, and its true instances at the recording's resolution.
+/// Called with a frame of the recording, its result, and its true instances at the recording's resolution.
 using FrameVisit =
     std::function<void(const MappingPipeline&, const RgbdFrame&, const FrameResult&, const cv::Mat& truth)>;
 

@@ -1,6 +1,6 @@
-// How much better merged regions are than single frames, over random scenes with exact truth: the scan
-// pipeline on each scene, every few frames both compared with the truth, as images that a scan writes
-// (--label-maps). One line a scene, and means, for each set of parameters.
+// Merged regions compared with single frames over random scenes with exact truth. Runs the scan pipeline and
+// evaluates both every few frames, as the images of --label-maps. Prints a line per scene, and means, for
+// each set of parameters.
 //
 //   segmentation_benchmark --cache DIR --rooms 1-5 --tables 1-5 [--uneven] [--rule graph,thesis] [--set
 //   key=value]
@@ -20,7 +20,7 @@ struct Options {
   std::vector<std::string> rules;
 };
 
-/// A set of parameters and what it is called.
+/// A named set of parameters.
 struct Variant {
   std::string name;
   ScanParams params;
@@ -52,7 +52,7 @@ Result<std::vector<Variant>> variantsOf(const Options& options) {
   return variants;
 }
 
-/// Segments or regions of one frame as a scan writes them: at the resolution of its depth image.
+/// Segments or regions of a frame at the resolution of its depth image, as a scan writes them.
 class LabelImages {
  public:
   LabelImages(const SegmentMap& segments, const RgbdFrame& frame)
@@ -79,7 +79,7 @@ class LabelImages {
   DepthUpsampler upsampler_;
 };
 
-/// Mean time a frame in the stage that joins and parts regions.
+/// Mean time per frame of the stage that joins and splits regions.
 double mergeMilliseconds(const StageTimer& timer) {
   double sum = 0;
   std::size_t frames = 1;
@@ -140,7 +140,7 @@ void printLine(const std::string& name, const SceneScore& s, double ratio) {
   std::fflush(stdout);
 }
 
-/// Means over scenes; of the ratio too, as each scene counts as one.
+/// Means over scenes, with equal weights, also of the ratio.
 void printMean(const std::string& name, const std::vector<SceneScore>& scores) {
   if (scores.empty()) return;
   SceneScore mean;
@@ -196,7 +196,7 @@ int main(int argc, char** argv) {
   using namespace scantrove::benchmarks;
   Options options;
   return withScenes(
-      argc, argv, "Single frames against merged regions on random scenes", options.scenes,
+      argc, argv, "Single frames compared with merged regions on random scenes", options.scenes,
       [&] { return run(options); },
       [&](CLI::App& app) {
         app.add_option("--rule", options.rules, "rules of labeling to compare")->delimiter(',');

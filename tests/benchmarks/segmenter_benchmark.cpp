@@ -1,5 +1,5 @@
-// One thread: GraphSegmenter on a surface like a real frame's (boxes on a table, noise of a structured-light
-// camera), and its stages alone.
+// GraphSegmenter and its stages on one thread, on a realistic surface: boxes on a table with noise of a
+// structured-light camera.
 #include <benchmark/benchmark.h>
 
 #include <random>

@@ -9,14 +9,14 @@
 
 namespace scantrove::benchmarks {
 
-/// Small things (as in SegmentationMetrics::small) that one segment covers by more than half (intersection
-/// over union) and no region does, by what is to blame.
+/// Small instances (SegmentationMetrics::small) that a segment matches (intersection over union above 0.5)
+/// and no region does, by cause.
 struct SmallLosses {
-  int covered = 0;  ///< by a segment
-  int mixed = 0;    ///< no choice of whole fragments covers the thing
-  int joined = 0;   ///< most of the region that overlaps it most is something else
-  int split = 0;    ///< several regions share the thing
-  int won = 0;      ///< a region covers what no segment does
+  int covered = 0;  ///< matched by a segment
+  int mixed = 0;    ///< no set of fragments matches the instance
+  int joined = 0;   ///< most of the best region is another instance
+  int split = 0;    ///< several regions share the instance
+  int won = 0;      ///< matched by a region and no segment
 
   void operator+=(const SmallLosses& other) {
     covered += other.covered;
@@ -27,7 +27,7 @@ struct SmallLosses {
   }
 };
 
-/// Counts them in one frame. `truth`: CV_16UC1 of the working resolution, 0 = none.
+/// Counts the losses in one frame. `truth`: CV_16UC1 of the working resolution, 0 = none.
 inline SmallLosses countSmallLosses(const FrameResult& frame, const cv::Mat& truth) {
   using Counts = std::unordered_map<std::uint32_t, int>;
   struct Thing {

@@ -1,10 +1,10 @@
-// How well the camera is followed, and found again, on recordings with true poses: depth filter, tracker and
-// map alone. `--there-and-back`: the recording, then backwards: how far apart are the two poses of one frame?
-// `--kidnap N`: the first 200 frames, then N times the lens is covered for ten frames and the camera is
-// somewhere else that it has seen: is it found again within five frames? `--strangers PATH`: frames of
-// another place, after the recording: none may be found. `--explain`: how near the readings are to a map that
-// is made with the estimated poses, and to one that is made with the recording's: where the former is nearer,
-// the recording's poses are no measure of the last millimetres.
+// Tracking and relocalisation on recordings with true poses, with depth filter, tracker and map only.
+// `--there-and-back`: plays the recording forwards and backwards; distance between the two poses of a frame.
+// `--kidnap N`: after 200 frames, N times the lens is covered for ten frames and the camera moves to a known
+// place; counts relocalisations within five frames. `--strangers PATH`: frames of another place after the
+// recording; none may be located. `--explain`: distances of the readings to maps made with the estimated and
+// with the recorded poses. Where the former are smaller, the recorded poses cannot judge the last
+// millimetres.
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -42,7 +42,7 @@ struct Options {
   bool verbose = false;
 };
 
-/// What the benchmark shows the tracker, and what became of it.
+/// A frame shown to the tracker, with its result.
 struct Shown {
   RgbdFrame frame;
   PoseEstimate pose;
@@ -95,7 +95,7 @@ std::vector<int> orderOf(const std::vector<RgbdFrame>& frames, const Options& op
   return order;
 }
 
-/// Distances of the usable poses from the truth after alignment, negative: not usable or no truth.
+/// Position errors of the usable poses after alignment; negative: not usable, or no truth.
 std::vector<double> errorsOf(const std::vector<Shown>& shown, double& ate_m) {
   std::vector<PosePair> pairs;
   std::vector<double> errors_m(shown.size(), -1);
@@ -181,8 +181,8 @@ void report(const std::string& name, const std::vector<Shown>& shown, const std:
   if (options.there_and_back) reportWayBack(shown, options.verbose);
 }
 
-/// How far readings are from a map that is made of them all, with the poses that `poseOf` gives. Readings
-/// more than kFar_m off are counted apart: outlines, where a hair's breadth decides what is seen.
+/// Distances of readings to a map made of them all, with the poses of `poseOf`. Readings farther than kFar_m
+/// are counted separately: they lie at outlines, where a tiny shift changes the visible surface.
 template <class PoseOf>
 std::string distanceToMap(const std::vector<Shown>& shown, const Intrinsics& K, ComputeContext& compute,
                           const PoseOf& poseOf) {
@@ -251,7 +251,7 @@ void run(const std::string& recording, const Options& options) {
     frame.index = static_cast<int>(shown.size());
     const PoseEstimate pose = rig.show(frame);
     shown.push_back({frame, pose});
-    for (const auto& [index, late] : rig.understoodLate()) shown[static_cast<std::size_t>(index)].pose = late;
+    for (const auto& [index, late] : rig.takeLateFrames()) shown[static_cast<std::size_t>(index)].pose = late;
   }
   report(recording, shown, rig.trackTimes_ms(), options);
   if (options.explain) explain(shown, K, **compute);
@@ -270,7 +270,7 @@ void run(const std::string& recording, const Options& options) {
 }  // namespace scantrove
 
 int main(int argc, char** argv) {
-  CLI::App app("How well the camera is followed and found again");
+  CLI::App app("Tracking and relocalisation on recordings");
   scantrove::Options options;
   app.add_option("recordings", options.recordings, "with true poses, or demo:...")->required();
   app.add_option("--stride", options.stride, "every N-th frame");

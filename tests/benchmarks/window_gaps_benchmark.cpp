@@ -1,7 +1,6 @@
-// How long the window does nothing at a time: the gaps between the ticks of a 10 ms timer on its thread, and
-// between its drawings of the 3D view, while a scan with many named objects runs, a session is opened, the
-// window is resized, something is named, and a data set is made. Says what held it up longest. Needs a
-// display (or xvfb-run).
+// How long the window blocks: gaps between ticks of a 10 ms timer on its thread, and between drawings of the
+// 3D view. Covers a scan with many named objects, opening a session, resizing, naming, and an export. Names
+// the longest event. Needs a display (or xvfb-run).
 //   window_gaps_benchmark SOURCE [--session DIR] [--objects N] [--scan-seconds S]
 #include <QApplication>
 #include <QElapsedTimer>
@@ -35,13 +34,13 @@ namespace {
 constexpr int kTick_ms = 10;
 constexpr double kGap_ms = 100;  ///< from which a person notices
 
-/// Remembers how long each kind of event took, by the class of its receiver.
+/// Records the time of each kind of event, by the class of its receiver.
 class TimedApplication : public QApplication {
  public:
   using QApplication::QApplication;
 
   bool notify(QObject* receiver, QEvent* event) override {
-    // Only the outermost: what an event leads to is its own time.
+    // Only the outermost event: nested events are part of its time.
     if (depth_ > 0) return QApplication::notify(receiver, event);
     ++depth_;
     std::string kind =
@@ -62,7 +61,7 @@ class TimedApplication : public QApplication {
   int depth_ = 0;
 };
 
-/// Watches one part of the run.
+/// Measures one phase of the run.
 class GapWatch {
  public:
   GapWatch(TimedApplication& application, MainWindow& window) : application_(application), window_(window) {
@@ -72,7 +71,7 @@ class GapWatch {
                      [this] { note(since_drawn_, drawn_gaps_); });
   }
 
-  /// Handles events until `is_over`, at most `limit_s`; says what the gaps were. False: it took longer.
+  /// Processes events until `is_over`, at most `limit_s`, and prints the gaps. False: it took longer.
   bool watch(const std::string& what, double limit_s, const std::function<bool()>& is_over) {
     tick_gaps_.clear();
     drawn_gaps_.clear();
@@ -87,7 +86,7 @@ class GapWatch {
       QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
       is_done = is_over();
     }
-    note(since_tick_, tick_gaps_);  // that which is not over yet
+    note(since_tick_, tick_gaps_);  // the gap that is still open
     timer_.stop();
     say(what, static_cast<double>(all.elapsed()) / 1000);
     return is_done;
@@ -125,7 +124,7 @@ class GapWatch {
   std::vector<double> tick_gaps_, drawn_gaps_;  // milliseconds
 };
 
-/// A catalogue of named, confirmed objects with two views each; none looks like anything that is scanned.
+/// A catalogue of named, confirmed objects with two views each; none is similar to a scanned object.
 void fillCatalogue(const std::string& file, int objects) {
   auto database = ObjectDatabase::open(file);
   if (!database) throw std::runtime_error(database.error().message());
@@ -251,7 +250,7 @@ int run(TimedApplication& application, const Wishes& wishes) {
 
 int main(int argc, char** argv) {
   scantrove::Wishes wishes;
-  CLI::App app{"How long the window does nothing at a time"};
+  CLI::App app{"How long the window blocks"};
   app.add_option("SOURCE", wishes.source, "to scan");
   app.add_option("--session", wishes.session, "to open; else what was scanned");
   app.add_option("--objects", wishes.objects, "named ones in the catalogue");

@@ -1,4 +1,4 @@
-// What a session keeps of the camera.
+// The camera memory of a session.
 #include <cmath>
 #include <cstring>
 
@@ -8,12 +8,12 @@
 namespace scantrove::test {
 namespace {
 
-KeyFrame somePlace() {
-  KeyFrame place;
-  place.landmarks.points_world = {{1, 2, 3}, {4, 5, 6}};
-  place.landmarks.descriptors = cv::Mat(2, 32, CV_8UC1, cv::Scalar(7));
-  place.thumbnail = cv::Mat(6, 8, CV_32FC1, cv::Scalar(1));
-  return place;
+KeyFrame someKeyFrame() {
+  KeyFrame key_frame;
+  key_frame.landmarks.points_world = {{1, 2, 3}, {4, 5, 6}};
+  key_frame.landmarks.descriptors = cv::Mat(2, 32, CV_8UC1, cv::Scalar(7));
+  key_frame.thumbnail = cv::Mat(6, 8, CV_32FC1, cv::Scalar(1));
+  return key_frame;
 }
 
 CameraMemory someMemory(bool with_tracker) {
@@ -23,7 +23,7 @@ CameraMemory someMemory(bool with_tracker) {
     memory.tracker.emplace();
     memory.tracker->before_last = Eigen::Isometry3d::Identity();
     memory.tracker->last_view = {cv::Mat(3, 4, CV_8UC1, cv::Scalar(9)), K, Eigen::Isometry3d::Identity()};
-    memory.tracker->places = {somePlace()};
+    memory.tracker->places = {someKeyFrame()};
     memory.tracker->surfaces = {
         {Eigen::Isometry3d::Identity(), StoredSurface(K, cv::Mat(3, 4, CV_16UC1, cv::Scalar(900))), false}};
     memory.reference_normals_world.assign(12, {0, 0, 1, 1});
@@ -65,18 +65,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto memory = cameraMemoryFrom(words);
   if (!memory) return 0;
   test::require(test::isUsable(memory->view.K) && test::isRigid(memory->view.T_world_camera),
-                "a camera can be used");
+                "the camera of the view is usable");
   for (const FreeSpace::Witness& witness : memory->free_space.witnesses)
-    test::require(test::isUsable(witness.K) && test::isRigid(witness.T_camera_world), "so can a witness");
+    test::require(test::isUsable(witness.K) && test::isRigid(witness.T_camera_world),
+                  "the camera of a witness is usable");
   if (!memory->tracker) return 0;
-  test::require(test::isRigid(memory->tracker->last), "the last pose is a motion");
-  for (const KeyFrame& place : memory->tracker->places) {
-    test::require(test::isRigid(place.T_world_camera), "a place has a pose");
-    test::require(place.landmarks.descriptors.empty() || place.landmarks.descriptors.cols == 32,
-                  "landmarks are of 256 bits");
+  test::require(test::isRigid(memory->tracker->last), "the last pose is rigid");
+  for (const KeyFrame& key_frame : memory->tracker->places) {
+    test::require(test::isRigid(key_frame.T_world_camera), "a tracking key frame has a rigid pose");
+    test::require(key_frame.landmarks.descriptors.empty() || key_frame.landmarks.descriptors.cols == 32,
+                  "descriptors of landmarks have 256 bits");
   }
   for (const SeenSurfaces::View& view : memory->tracker->surfaces)
     test::require(test::isUsable(view.surface.intrinsics()) && test::isRigid(view.T_world_camera),
-                  "a surface was seen by a camera");
+                  "the camera of a surface is usable");
   return 0;
 }

@@ -1,4 +1,4 @@
-// A file given as a catalogue: opened, read whole, edited.
+// A file opened as a catalogue: all of it is read, and it is edited.
 #include <unistd.h>
 
 #include <QCoreApplication>
@@ -20,7 +20,7 @@ ObjectView someView(int seed) {
   return view;
 }
 
-/// In memory where the system has such a folder: every transaction waits for its disk.
+/// In /dev/shm where possible, because each transaction waits for the disk.
 const TemporaryFolder& folder() {
   static const bool is_quick = ::access("/dev/shm", W_OK) == 0 && ::setenv("TMPDIR", "/dev/shm", 0) == 0;
   static const TemporaryFolder made;
@@ -28,7 +28,7 @@ const TemporaryFolder& folder() {
   return made;
 }
 
-void readWhole(ObjectDatabase& database) {
+void readAll(ObjectDatabase& database) {
   (void)database.model();
   (void)database.changesAfter(0);
   (void)database.views().forEachDescriptor(0, [](const StoredDescriptor&) {});
@@ -39,7 +39,7 @@ void readWhole(ObjectDatabase& database) {
     const auto views = database.views().of(object.id);
     for (const ObjectView& view : views.value_or(std::vector<ObjectView>())) {
       require(view.color.empty() || view.mask.empty() || view.color.size() == view.mask.size(),
-              "images of a view belong together");
+              "colour and mask of a view have one size");
     }
   }
 }
@@ -72,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto database = ObjectDatabase::open(file);
   test::require(database || !database.error().what.empty(), "an error has words");
   if (!database) return 0;
-  test::readWhole(**database);
+  test::readAll(**database);
   const auto session = (*database)->sessions().begin("input");
   const auto added = (*database)->addObject(test::someView(7));
   if (added) (void)(*database)->rename(added->id, "mug");

@@ -10,20 +10,19 @@
 
 #include "tests/support/temporary_folder.h"
 
-// One reader of what comes from outside, in the form that libFuzzer drives; each *_fuzz.cpp defines both
-// functions. The preset `fuzz` links them with libFuzzer; replay_test.cpp runs the seeds and seeded mutations
-// of them anywhere.
+// A reader of untrusted input as a libFuzzer target; each *_fuzz.cpp defines both functions. The preset
+// `fuzz` links them with libFuzzer; replay_test.cpp runs the seeds and fixed mutations in any build.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace scantrove::test {
 
-/// Small inputs that the reader accepts, from which mutations start.
+/// Small valid inputs, the start of mutations.
 [[nodiscard]] std::vector<std::string> seeds();
 
-/// Ends the program where a reader broke its promise.
-inline void require(bool condition, const char* promise) {
+/// Aborts the program when a reader violates a guarantee.
+inline void require(bool condition, const char* guarantee) {
   if (condition) return;
-  std::fprintf(stderr, "broken promise: %s\n", promise);
+  std::fprintf(stderr, "violated guarantee: %s\n", guarantee);
   std::abort();
 }
 
@@ -31,15 +30,14 @@ inline std::span<const std::uint8_t> bytesOf(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Writes a file anew. To write over it would have some file systems flush it to the disk every time.
+/// Removes and writes a file: some file systems flush a file that is overwritten.
 inline std::filesystem::path rewrite(const TemporaryFolder& folder, const std::string& name,
                                      const std::string& text) {
   std::filesystem::remove(folder / name);
   return folder.write(name, text);
 }
 
-/// The parts of an input that stands for several files, separated by a byte that no text holds; missing parts
-/// are empty.
+/// The parts of an input for several files, separated by 0x1E, which no text has; missing parts are empty.
 inline std::vector<std::string> partsOf(std::string_view input, std::size_t count) {
   std::vector<std::string> parts(count);
   for (std::string& part : parts) {

@@ -1,4 +1,4 @@
-// JPEG, and the formats that OpenCV decodes for us (PNM, BMP, TIFF), as colour and as depth.
+// JPEG, and formats that OpenCV decodes (PNM, BMP, TIFF), as colour and as depth.
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/image/color_bytes.h"
@@ -39,12 +39,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::require(depth ? depth->type() == CV_16UC1 : depth.error().what.starts_with("input "),
                 "a depth image has its type, an error names the file");
   for (const auto& image : {color, depth}) {
-    test::require(!image || image->total() <= kMaxImagePixels, "no image is larger than what is read");
+    test::require(!image || image->total() <= kMaxImagePixels, "no image exceeds the limit");
   }
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   const std::string upright = withoutOrientation(bytes);
   test::require(upright.size() <= bytes.size() && withoutOrientation(upright) == upright,
-                "an orientation is cleared once, in its place");
+                "clearing an orientation is idempotent and adds no bytes");
   test::require(!isPlainColor({data, size}) || imageFormat({data, size}), "a plain image has a format");
   return 0;
 }

@@ -1,4 +1,4 @@
-// Gives libFuzzer the seeds: writes them to a folder and names it as the last corpus folder.
+// Writes the seeds to a folder and passes it to libFuzzer as the last corpus folder.
 #include <fstream>
 
 #include "tests/fuzz/fuzz_target.h"

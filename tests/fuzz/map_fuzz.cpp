@@ -1,4 +1,4 @@
-// Records of the map as they lie on disk: packed words, and the page in them.
+// Stored records of the map: packed words and the page in them.
 #include <cstring>
 
 #include "core/fusion/packed_words.h"
@@ -55,13 +55,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (input.starts_with('L') && !words.empty()) {
     PackedWords packed;
     const std::string_view bytes = input.substr(1 + sizeof(std::uint32_t));
-    // As much as one record may claim here: a fuzzer has little memory.
+    // Limits the claimed size, because a fuzzer has little memory.
     packed.unpacked_bytes = words.front() % (1U << 24U);
     packed.bytes.assign(bytes.begin(), bytes.end());
     packed.checksum = checksumOf(packed.bytes);
     const auto unpacked = unpackWords(packed);
     test::require(!unpacked || unpacked->size() * sizeof(std::uint32_t) == packed.unpacked_bytes,
-                  "what is unpacked has its size");
+                  "unpacked words have the stated size");
     words = unpacked.value_or(std::vector<std::uint32_t>());
   }
   const auto page = StoredPage::fromWords(words);

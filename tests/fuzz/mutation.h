@@ -7,8 +7,8 @@
 
 namespace scantrove::test {
 
-/// Changes inputs the way accidents and fuzzers do: bits, bytes, numbers (binary and written), pieces left
-/// out, doubled and exchanged. The same seed gives the same inputs everywhere.
+/// Mutates inputs: bits, bytes, numbers (binary and text), removed, repeated and exchanged parts. The same
+/// seed gives the same inputs on every system.
 class Mutator {
  public:
   explicit Mutator(std::vector<std::string> seeds, std::uint64_t seed)
@@ -21,7 +21,7 @@ class Mutator {
   }
 
  private:
-  /// 0 ... limit - 1; 0 for limit 0. No distribution of the library: they differ between libraries.
+  /// 0 ... limit - 1; 0 for limit 0. Distributions of the standard library differ between libraries.
   std::size_t below(std::size_t limit) {
     return limit == 0 ? 0 : static_cast<std::size_t>(random_() % limit);
   }
@@ -63,7 +63,7 @@ class Mutator {
     }
   }
 
-  /// A number of 2, 4 or 8 bytes at its limits, in either order of bytes.
+  /// Writes an extreme number of 2, 4 or 8 bytes, in either byte order.
   void writeNumber(std::string& input, std::size_t at) {
     static constexpr std::array<std::uint64_t, 8> kNumbers{
         0, 1, 0x7FFF, 0xFFFF, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU, ~std::uint64_t{0}};

@@ -1,4 +1,4 @@
-// A folder of numbered images: each line of the input is the name of a file in it.
+// A folder of numbered images; each line of the input is a file name.
 #include <spdlog/spdlog.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -21,7 +21,7 @@ const std::string& png(int type) {
   return type == CV_16UC1 ? depth : color;
 }
 
-/// A path of at most one folder below the recording's.
+/// A path inside the recording folder, at most one folder deep.
 std::string safePath(std::string_view line) {
   std::string path;
   bool has_folder = false;
@@ -44,7 +44,7 @@ void readAll(FrameSource& source) {
 }  // namespace
 
 std::vector<std::string> seeds() {
-  spdlog::set_level(spdlog::level::off);  // the warnings are not what is tested
+  spdlog::set_level(spdlog::level::off);  // warnings are not tested
   return {"depth/000000.png\ndepth/000001.png\ncolor/000000.png\ncolor/000001.png\n",
           "depth/0000001-000000000000.png\ndepth/0000002-000000033333.png\nimage/0000001-000000000000.png\n",
           "depth/12.png\nrgb/12.png\nrgb/13.png\ntrajectory.log\nintrinsic.json\n",
@@ -56,22 +56,22 @@ std::vector<std::string> seeds() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace scantrove;
   static const test::TemporaryFolder folder;
-  const std::filesystem::path place = folder / "recording";
+  const std::filesystem::path recording = folder / "recording";
   std::error_code ignored;
-  std::filesystem::remove_all(place, ignored);
-  std::filesystem::create_directories(place / "depth");
+  std::filesystem::remove_all(recording, ignored);
+  std::filesystem::create_directories(recording / "depth");
   std::string_view lines(reinterpret_cast<const char*>(data), size);
   for (std::size_t i = 0; i < test::kMaxFiles && !lines.empty(); ++i) {
     const std::string_view line = lines.substr(0, lines.find('\n'));
     lines.remove_prefix(std::min(lines.size(), line.size() + 1));
     const std::string path = test::safePath(line);
-    const std::filesystem::path parent = (place / path).parent_path();
+    const std::filesystem::path parent = (recording / path).parent_path();
     std::filesystem::create_directories(parent, ignored);
     if (!ignored)
-      std::ofstream(place / path, std::ios::binary)
+      std::ofstream(recording / path, std::ios::binary)
           << test::png(path.starts_with("depth") ? CV_16UC1 : CV_8UC3);
   }
-  const auto source = openNumberedFolder(place, {});
+  const auto source = openNumberedFolder(recording, {});
   test::require(source || !source.error().what.empty(), "an error has words");
   if (source) test::readAll(**source);
   return 0;

@@ -1,5 +1,5 @@
-// The structure of an .oni file, which is checked before OpenNI2 is given the file. What OpenNI2 makes of the
-// records within is its own: see the test of damaged recordings in tests/unit/capture.
+// The structure of an .oni file, which is checked before OpenNI2 opens the file. For records inside, see the
+// test of damaged recordings in tests/unit/capture.
 #include "core/capture/oni_file.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/support/oni_bytes.h"

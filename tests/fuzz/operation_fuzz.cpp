@@ -1,4 +1,4 @@
-// A person's operations and their effects, as a session keeps them.
+// Stored operations and effects of a session.
 #include "core/session/operation_json.h"
 #include "tests/fuzz/fuzz_target.h"
 
@@ -23,8 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace scantrove;
   const std::string text(reinterpret_cast<const char*>(data), size);
   if (const auto operation = operationFromJson(text)) {
-    for (const auto* places : {&operation->here_world, &operation->there_world}) {
-      for (const Eigen::Vector3f& place : *places) test::require(place.allFinite(), "places are finite");
+    for (const auto* points : {&operation->here_world, &operation->there_world}) {
+      for (const Eigen::Vector3f& point : *points) test::require(point.allFinite(), "points are finite");
     }
     const std::string written = operationToJson(*operation);
     const auto again = operationFromJson(written);

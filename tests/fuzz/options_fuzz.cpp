@@ -1,4 +1,4 @@
-// Texts of options: numbers, how colour lies over depth, the names of demos, names that persons give.
+// Texts of options: numbers, colour registrations, demos, and names given by users.
 #include "core/base/label_name.h"
 #include "core/base/text.h"
 #include "core/capture/color_registration.h"
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   (void)parseFrameNumber(text);
   for (const std::size_t longest : {std::size_t{0}, std::size_t{7}, std::size_t{2000}}) {
     const std::string shown = forTerminal(text, longest);
-    test::require(shown.size() <= longest + 4, "what is shown has its limit");
+    test::require(shown.size() <= longest + 4, "the shown text has a limit");
     for (const unsigned char c : shown)
       test::require(c == '\n' || (c >= 0x20 && c != 0x7F), "no control characters are shown");
   }

@@ -1,5 +1,5 @@
-// PNG as colour and as depth. Most mutations of a PNG end at a checksum: each input is tried with right ones
-// too.
+// PNG as colour and as depth. Checksums stop most mutations, so each input is also tried with valid
+// checksums.
 #include <libdeflate.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -11,7 +11,7 @@
 namespace scantrove::test {
 namespace {
 
-/// The input with every chunk's checksum made right.
+/// The input with a valid checksum in each chunk.
 std::string withChecksums(std::string png) {
   constexpr std::size_t kSignature = 8, kFrame = 12;
   for (std::size_t at = kSignature; png.size() >= at + kFrame;) {

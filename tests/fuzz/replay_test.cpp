@@ -1,6 +1,5 @@
-// The fuzz target that this is linked with, without a fuzzer: its seeds, then 2,000 mutations of them, the
-// same every time (CMakeLists.txt says when others). What it finds ends the program, and the input stays in
-// the file that is named.
+// Runs the linked fuzz target without a fuzzer: its seeds, then 2,000 fixed mutations of them (CMakeLists.txt
+// lists exceptions). A failure aborts the program; its input stays in the printed file.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -21,7 +20,7 @@ class InputFile {
  public:
   InputFile()
       : path_(std::filesystem::temp_directory_path() / ("scantrove-fuzz-" SCANTROVE_FUZZ_TARGET "-input")) {
-    std::printf("The input of a crash is left in %s\n", path_.c_str());
+    std::printf("The input of a crash stays in %s\n", path_.c_str());
     std::fflush(stdout);
   }
   InputFile(const InputFile&) = delete;
@@ -29,7 +28,7 @@ class InputFile {
   ~InputFile() { std::filesystem::remove(path_); }
 
   void run(const std::string& input) const {
-    std::filesystem::remove(path_);  // to write over it would have some file systems flush it every time
+    std::filesystem::remove(path_);  // some file systems flush a file that is overwritten
     std::ofstream(path_, std::ios::binary) << input;
     ASSERT_EQ(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size()), 0);
   }
@@ -38,7 +37,7 @@ class InputFile {
   std::filesystem::path path_;
 };
 
-TEST(Fuzz, SeedsAndMutationsAreReadOrRefused) {
+TEST(Fuzz, TargetReadsOrRefusesSeedsAndMutations) {
   const InputFile file;
   const std::vector<std::string> corpus = seeds();
   ASSERT_FALSE(corpus.empty());

@@ -1,5 +1,4 @@
-// A session that somebody changed: each line of the input sets a column of a table, or the input is the whole
-// file.
+// A changed session: each line of the input sets a column of a table, or the input is the complete file.
 #include <unistd.h>
 
 #include <QCoreApplication>
@@ -19,7 +18,7 @@ namespace {
 
 constexpr std::string_view kFileHead = "SQLite format 3";
 
-/// In memory where the system has such a folder: every transaction waits for its disk.
+/// In /dev/shm where possible, because each transaction waits for the disk.
 const TemporaryFolder& folder() {
   static const bool is_quick = ::access("/dev/shm", W_OK) == 0 && ::setenv("TMPDIR", "/dev/shm", 0) == 0;
   static const TemporaryFolder made;
@@ -70,7 +69,7 @@ const std::string& seedFile() {
   return bytes;
 }
 
-/// "#12": a whole number, "~1.5": a real one, "$...": bytes; else text.
+/// "#12": an integer, "~1.5": a real number, "$...": bytes; else text.
 QVariant valueOf(std::string_view text) {
   const std::string_view rest = text.substr(text.empty() ? 0 : 1);
   if (text.starts_with('#')) {
@@ -88,7 +87,7 @@ bool isWord(std::string_view text) {
   return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos;
 }
 
-/// Sets what lines `table.column=value` say; those that the tables refuse are passed over.
+/// Executes lines `table.column=value`; ignores those that the database refuses.
 void change(DatabaseConnection& database, std::string_view lines) {
   while (!lines.empty()) {
     const std::string_view line = lines.substr(0, lines.find('\n'));
@@ -103,19 +102,19 @@ void change(DatabaseConnection& database, std::string_view lines) {
     (void)database.execute("UPDATE " + as_text(table) + " SET " + as_text(column) + " = ?",
                            {valueOf(line.substr(equals + 1))});
   }
-  // Without checksums, as older programs wrote it: what is tested is how values are checked.
+  // Without checksums, as in older sessions, so that the checks of values are reached.
   for (const char* table :
        {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages", "camera"})
     (void)database.execute(QString("UPDATE %1 SET row_check = NULL").arg(table));
 }
 
-void readWhole(SessionStore& store) {
+void readAll(SessionStore& store) {
   const auto scan = store.load();
   require(scan || !scan.error().what.empty(), "an error has words");
   if (const auto camera = store.loadCamera(); camera && *camera) (void)cameraMemoryFrom((*camera)->words);
   if (!scan) return;
   const auto setup = setupFrom(scan->metadata);
-  require(!setup || (setup->K.fx > 0 && setup->K.width > 0), "a camera that is accepted can be used");
+  require(!setup || (setup->K.fx > 0 && setup->K.width > 0), "an accepted camera is usable");
   for (const SavedFrame& frame : scan->frames)
     require(frame.T_world_camera.matrix().allFinite(), "poses are finite");
   for (const SavedBorder& border : scan->borders)
@@ -147,18 +146,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string input(reinterpret_cast<const char*>(data), size);
   const bool is_file = input.starts_with(test::kFileHead);
   const std::string& file = is_file ? input : test::seedFile();
-  const std::filesystem::path place = test::folder() / "input";
-  std::filesystem::remove_all(place);
-  std::filesystem::copy(test::folder() / "seed", place, std::filesystem::copy_options::recursive);
-  for (const char* name : {"session.sqlite-wal", "session.sqlite-shm"}) std::filesystem::remove(place / name);
+  const std::filesystem::path session = test::folder() / "input";
+  std::filesystem::remove_all(session);
+  std::filesystem::copy(test::folder() / "seed", session, std::filesystem::copy_options::recursive);
+  for (const char* name : {"session.sqlite-wal", "session.sqlite-shm"})
+    std::filesystem::remove(session / name);
   test::rewrite(test::folder(), "input/session.sqlite", file);
   if (!is_file) {
-    const auto database = DatabaseConnection::open((place / "session.sqlite").string());
+    const auto database = DatabaseConnection::open((session / "session.sqlite").string());
     if (database) test::change(**database, input);
   }
-  (void)listSessions(place);
-  const auto store = SessionStore::open(place);
+  (void)listSessions(session);
+  const auto store = SessionStore::open(session);
   test::require(store || !store.error().what.empty(), "an error has words");
-  if (store) test::readWhole(**store);
+  if (store) test::readAll(**store);
   return 0;
 }

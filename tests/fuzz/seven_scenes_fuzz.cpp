@@ -1,5 +1,5 @@
-// The texts of 7-Scenes and numbered folders: a frame's pose, the camera as a matrix and as JSON, a
-// trajectory log, and the name of a file.
+// Texts of 7-Scenes and numbered folders: a pose, the camera as a matrix and as JSON, a trajectory log, and a
+// file name.
 #include "core/capture/camera_intrinsics.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/numbered_folder.h"
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!model) continue;
     const Intrinsics K = fitToImages(*model, 640, 480);
     test::require(!checkIntrinsics(K, "input") || (K.fx > 0 && K.fy > 0 && K.width == 640),
-                  "a camera that is accepted can be used");
+                  "an accepted camera is usable");
   }
   const auto poses = readTrajectoryLog(test::rewrite(folder, "trajectory.log", parts[3]));
   for (const NumberedPose& numbered : poses.value_or(std::vector<NumberedPose>())) {

@@ -1,4 +1,4 @@
-// Configuration files, and the same text as a setting of the command line.
+// Configuration files, and the same text as a --set option.
 #include "core/session/param_registry.h"
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,4 +1,4 @@
-// Trajectories in each form: TUM lines, a .log, a folder of 7-Scenes poses.
+// Trajectories in each format: TUM lines, a .log file, a folder of 7-Scenes poses.
 #include <algorithm>
 
 #include "core/capture/trajectory_reader.h"
@@ -17,7 +17,7 @@ void check(const std::filesystem::path& path) {
   require(std::ranges::is_sorted(*poses, {}, &StampedPose::timestamp_s), "poses are ordered by time");
   for (const StampedPose& pose : *poses) {
     require(pose.T_world_camera.matrix().allFinite() && std::isfinite(pose.timestamp_s), "poses are finite");
-    require(std::abs(pose.T_world_camera.linear().determinant() - 1) < 1e-3, "poses are motions");
+    require(std::abs(pose.T_world_camera.linear().determinant() - 1) < 1e-3, "poses are rigid");
   }
   const auto pairs = associate(*poses, *poses);
   if (pairs.size() < 2) return;

@@ -1,4 +1,4 @@
-// What evaluate reads: label images by the numbers in their names, and instances.json.
+// Ground truth of `evaluate`: label images by the numbers in their names, and instances.json.
 #include <opencv2/imgcodecs.hpp>
 
 #include "app/true_objects.h"
@@ -41,13 +41,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t image_at = parts[0].size() + parts[1].size() + 2;
   const std::string image(reinterpret_cast<const char*>(data) + std::min(size, image_at),
                           size - std::min(size, image_at));
-  const std::filesystem::path place = folder / "truth";
-  std::filesystem::remove_all(place);
+  const std::filesystem::path truth = folder / "truth";
+  std::filesystem::remove_all(truth);
   folder.write("truth/instances.json", parts[1]);
   folder.write("truth/" + test::plainName(parts[0]), image);
-  const auto images = numberedImages(place);
+  const auto images = numberedImages(truth);
   test::require(images || !images.error().what.empty(), "an error has words");
-  const auto scene = readTrueScene(place, [](long) { return true; });
+  const auto scene = readTrueScene(truth, [](long) { return true; });
   test::require(scene || !scene.error().what.empty(), "an error has words");
   if (!scene) return 0;
   for (const auto& [number, path] : scene->images) {

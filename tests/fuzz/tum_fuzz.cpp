@@ -1,4 +1,4 @@
-// The three lists of a TUM RGB-D folder, beside one depth and one colour image.
+// The three lists of a TUM RGB-D folder with one depth and one colour image.
 #include <spdlog/spdlog.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -16,7 +16,7 @@ const TemporaryFolder& folder() {
       cv::imwrite(with_images / "d.png", cv::Mat(12, 16, CV_16UC1, cv::Scalar(5000))) &&
       cv::imwrite(with_images / "c.png", cv::Mat(12, 16, CV_8UC3, cv::Scalar::all(90)));
   require(is_filled, "the test can write its images");
-  spdlog::set_level(spdlog::level::off);  // the warnings are not what is tested
+  spdlog::set_level(spdlog::level::off);  // warnings are not tested
   return with_images;
 }
 
@@ -27,7 +27,7 @@ void readAll(FrameSource& source) {
     if (read.status == FrameRead::Status::end || read.status == FrameRead::Status::failed) return;
     const bool is_frame = read.status == FrameRead::Status::frame;
     require(is_frame ? !read.frame.depth.empty() : !read.error.what.empty(),
-            "a frame has depth, an error words");
+            "a frame has depth, an error has words");
     require(!read.frame.T_world_camera || read.frame.T_world_camera->matrix().allFinite(),
             "poses are finite");
   }

@@ -1,29 +1,29 @@
 #!/usr/bin/env bash
-# Every command of --help on a full disk, in a read-only folder, beside a second program, with an empty argument, and
-# with a folder that holds somebody's files. Each must end with an exit code and, where it refuses, with a sentence.
+# Runs every command of --help on a full disk, in a read-only folder, beside a second program, with empty arguments, and
+# with a folder of foreign files. Each must end with an exit code, and with a message when it fails.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 if [ "${HOSTILE_MOUNTS:-}" != yes ]; then
   export HOSTILE_MOUNTS=yes
   unshare -m true 2>/dev/null && exec unshare -m "$BASH" "${BASH_SOURCE[0]}"
   HOSTILE_MOUNTS=no
-  echo "No file systems can be mounted here: full disks and read-only folders are left out."
+  echo "No file systems can be mounted here: full disks and read-only folders are not tested."
 fi
 
 formats="coco bop yolo masks ply pcd mesh tum scannet"
 
-# Exit 0, or 1 or 2 with a sentence: an error that says nothing helps nobody.
+# Expects exit code 0, or 1 or 2 with a message.
 explains() {
   local name=$1
   shift
   run "$@"
   if ! ended_by_itself || [ "$code" -gt 2 ]; then note_fail "$name" "ended with code $code"; return; fi
-  if [ "$code" -ne 0 ] && ! grep -qE '[a-z]{3,} .*[a-z]{3,}' "$work.said"; then note_fail "$name" "says nothing"; return; fi
-  if grep -qE 'terminate called|std::|Segmentation|Aborted' "$work.said"; then note_fail "$name" "speaks of the code"; return; fi
+  if [ "$code" -ne 0 ] && ! grep -qE '[a-z]{3,} .*[a-z]{3,}' "$work.said"; then note_fail "$name" "prints no message"; return; fi
+  if grep -qE 'terminate called|std::|Segmentation|Aborted' "$work.said"; then note_fail "$name" "prints internals of the code"; return; fi
   note_pass
 }
 
-# As explains, but the command must not claim success.
+# As explains, but the exit code must not be 0.
 fails() {
   local name=$1
   explains "$@"
@@ -37,7 +37,7 @@ object=$(cd "$work" && "$program" objects list --database scan/catalogue.sqlite 
 object=${object:-1}
 checksum() { (cd "$1" && find . -type f -print0 | sort -z | xargs -0 sha256sum); }
 
-# What writes: each takes the scan's folder and the folder to write into.
+# Commands that write: each takes the scan folder and the folder to write into.
 writers() {
   local check=$1 what=$2 scan=$3 out=$4
   "$check" "scan, $what" "$program" scan demo --frames 4 --label-maps --out "$out"
@@ -47,7 +47,7 @@ writers() {
   done
 }
 
-# What changes a scan or its catalogue.
+# Commands that change a scan or its catalogue.
 editors() {
   local check=$1 what=$2 scan=$3
   "$check" "resume, $what" "$program" scan rec --frames 4 --resume "$scan"
@@ -60,7 +60,7 @@ editors() {
   "$check" "objects delete, $what" "$program" objects delete --database "$scan/catalogue.sqlite" "$object"
 }
 
-# What only reads.
+# Commands that only read.
 readers() {
   local check=$1 what=$2 scan=$3
   for command in show regions history; do
@@ -72,7 +72,7 @@ readers() {
   "$check" "evaluate catalogue, $what" "$program" evaluate catalogue --scan "$scan" --truth rec
 }
 
-# A folder that holds somebody's files: none of them changes, whatever a command does.
+# A folder of foreign files: no command changes any of them.
 mkdir -p "$work/theirs/map" "$work/theirs/keyframes" "$work/theirs/labels" "$work/theirs/images"
 for file in trajectory.txt labels.json cloud.ply session.txt map/page.bin keyframes/000000.color.png labels/000000.png \
   images/a.png annotations.json dataset.yaml report.json; do
@@ -85,7 +85,7 @@ editors fails "somebody's folder" theirs
 checksum "$work/theirs" >"$work.now"
 holds "somebody's files stay" sh -c "grep -vxFf '$work.now' '$work.theirs' | wc -l | grep -qx 0"
 
-# An empty argument, wherever one is taken.
+# Empty arguments.
 for command in scan bench record export window; do explains "$command ''" "$program" "$command" ""; done
 explains "''" env -u DISPLAY QT_QPA_PLATFORM=offscreen timeout -s TERM 10 "$program" ""
 for option in --out --database --frames --start --stride --poses --intrinsics --depth-scale --config --set --device \
@@ -106,7 +106,7 @@ for command in trajectory segmentation catalogue; do
 done
 holds "empty arguments leave nothing behind" sh -c 'test "$(ls | sort | tr "\n" " ")" = "rec scan theirs "'
 
-# Output that cannot be written.
+# Unwritable output.
 for command in "session show scan" "objects list --database scan/catalogue.sqlite" params devices \
   "evaluate trajectory --estimate scan/trajectory.txt --truth rec"; do
   # shellcheck disable=SC2086
@@ -115,7 +115,7 @@ for command in "session show scan" "objects list --database scan/catalogue.sqlit
 done
 
 if [ "$HOSTILE_MOUNTS" = yes ]; then
-  # A full disk: 256 KiB for new work, and a copy of the scan on a disk without one free block.
+  # A full disk: 256 KiB for new files, and a copy of the scan on a disk without a free block.
   mkdir "$work/small" "$work/full" "$work/still"
   mount -t tmpfs -o size=256k tmpfs "$work/small"
   for format in $formats; do
@@ -144,7 +144,7 @@ if [ "$HOSTILE_MOUNTS" = yes ]; then
   umount "$work/still"
 fi
 
-# A second program: a scan that has begun and stands still; the others keep away from it.
+# A second program: a stopped scan holds its folder, and other commands must refuse it.
 (cd "$work" && exec "$program" scan demo:room:1 --frames 100000 --out busy >"$work.busy" 2>&1) &
 busy=$!
 for _ in $(seq 300); do

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Sessions that other programs change: while they are written, and afterwards.
+# Sessions that other programs change during a scan and afterwards.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-# A scan that runs until its session has a map; then COMMAND... changes its folder. Its exit code is in $code.
+# Scans until the session has a map, then COMMAND... changes the folder. $code: exit code of the scan.
 disturbed() {
   local out=$1
   shift
@@ -16,7 +16,7 @@ disturbed() {
   code=$?
 }
 
-# tells NAME TEXT: the disturbed scan ended with exit code 1 and said TEXT.
+# tells NAME TEXT: the disturbed scan ended with exit code 1 and a message with TEXT.
 tells() {
   if [ "$code" -eq 1 ] && said "$2"; then note_pass; else note_fail "$1" "exit code $code, or no \"$2\""; fi
 }
@@ -47,7 +47,7 @@ disturbed from mv from to
 tells "a moved folder" "moved to"
 says "the session of a moved folder opens" '"ended": true' "$program" session show to --json
 
-# What is not the one that was written is left out and named.
+# Files that were replaced are skipped and named.
 succeeds "a scan" "$program" scan demo --frames 12 --out scan
 copy() { rm -rf "$work/copy" && cp -r "$work/scan" "$work/copy"; }
 change() { copy && python3 -c "import sqlite3, sys; b = sqlite3.connect('$work/copy/session.sqlite'); b.execute(sys.argv[1]); b.commit()" "$1"; }
@@ -58,7 +58,7 @@ if command -v python3 >/dev/null; then
   says "a missing page" "parts of the map of the session" "$program" session show copy
   change "UPDATE facts SET value = 'attic' WHERE name = 'source'"
   says "a changed fact" '"source": "demo"' "$program" session show copy --json
-  echo "200 random changes take a while: tests/hostile/mutate_sessions.py $program --count 200"
+  echo "200 random changes take long: tests/hostile/mutate_sessions.py $program --count 200"
 else
   echo "python3 is missing: no rows were changed"
 fi
@@ -69,7 +69,7 @@ cp "$work/copy/$other" "$work/copy/$image"
 run "$program" export copy --format coco --out coco
 if said "$(basename "$image")"; then note_pass; else note_fail "another image in a key frame's place" "not named"; fi
 
-# Nothing is written through links.
+# Nothing is written through symbolic links.
 copy
 echo mine >"$work/diary"
 rm "$work/copy/session.lock" && ln -s "$work/diary" "$work/copy/session.lock"
@@ -79,7 +79,7 @@ rm "$work/copy/session.lock"
 refuses "a link as the map" "link" "$program" scan demo --frames 3 --out copy --overwrite
 holds "nothing is written through a link" test ! -e "$work/pictures/000001.bricks"
 
-# Nobody else begins in a folder between its check and the first frame.
+# No other scan starts in a folder between its check and the first frame.
 cp -r "$work/scan" "$work/held"
 (cd "$work" && exec "$program" scan demo --frames 400 --out held) >/dev/null 2>&1 </dev/null &
 first=$!
@@ -88,7 +88,7 @@ refuses "a second scan into the folder" "in use" "$program" scan demo --frames 3
 kill "$first" 2>/dev/null
 wait "$first" 2>/dev/null
 
-# A user's file with the form of ours stays.
+# A user's file with a name like ours is kept.
 copy
 echo mine >"$work/copy/keyframes/000123.color.png"
 succeeds "a scan over an earlier one" "$program" scan demo --frames 3 --out copy

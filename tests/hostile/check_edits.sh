@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Edits of a session that are interrupted, taken back and done again: no orphan in the catalogue, no half edit, one
-# numbering of the regions in all files.
+# Edits of a session that are interrupted, undone and redone: no orphan in the catalogue, no partial edit, the same
+# region numbers in all files.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 # One value of a database of the folder scan.
 ask() { sqlite3 "$work/scan/$1.sqlite" "$2"; }
-# While the index is there, no row of the table of which the condition holds can be written.
+# While the index exists, no row of the table for which the condition holds can be written.
 block() { ask "$1" "CREATE INDEX obstacle ON $2 (CASE WHEN $3 THEN json('none') END)"; }
 unblock() { ask "$1" "DROP INDEX obstacle"; }
 objects() { ask catalogue "SELECT count(*) FROM objects"; }
 called() { ask catalogue "SELECT count(*) FROM objects WHERE hidden = 0 AND name = '$1'"; }
 is() { [ "$1" = "$2" ] || { echo "$1 is not $2" >>"$work.said"; false; }; }
-# The largest region that is no object.
+# The largest region without an object.
 free_region() {
   "$program" session regions "$work/scan" --json | python3 -c '
 import json, sys
@@ -42,7 +42,7 @@ succeeds "an undo" "$program" session undo scan --steps 1
 refuses "more steps than there are" "Only" "$program" session undo scan --steps 50
 holds "nothing was undone" is "$(ask session "SELECT count(*) FROM operations WHERE state = 'done'")" 3
 
-# Killed at any moment, and named again.
+# The program is killed at a random moment, and the region named again.
 rm -rf "$work/scan" && cp -r "$work/whole" "$work/scan"
 for pause in 0.05 0.15 0.25 0.35 0.45 0.6 0.8 1.0 1.3 1.6; do
   { (cd "$work" && timeout -s KILL "$pause" "$program" session name scan --region "$region" --name cup) & } 2>/dev/null

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Commands that must not cost a person files: exports beside other folders, scans into folders with something in them.
+# Commands must not delete a user's files: exports beside other folders, scans into folders that are not empty.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 succeeds "a scan" "$program" scan demo --frames 3 --out scan

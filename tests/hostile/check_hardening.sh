@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# The surroundings of the program: caches that cannot be written or are damaged, signals, limits, odd arguments.
+# The environment of the program: unwritable or damaged caches, signals, limits, odd arguments.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 export XDG_CACHE_HOME=$work/cache TMPDIR=$work/tmp
 mkdir "$TMPDIR"
 two_frames=(scan demo --frames 2 --overwrite)
 
-# Compiled kernels: no folder to keep them in, damaged ones.
+# Compiled kernels: without a cache folder, and damaged ones.
 says "HOME that cannot be written" "compiled anew" env -u XDG_CACHE_HOME HOME=/proc "$program" devices
 says "HOME that cannot be written leaves the processor" "[0]" env -u XDG_CACHE_HOME HOME=/proc "$program" devices
 says "a cache folder that cannot be written" "compiled anew" env XDG_CACHE_HOME=/proc "$program" devices
@@ -25,8 +25,8 @@ says "garbage in a folder of others" "Remove that folder" \
 holds "files of others stay" sh -c 'grep -rqx garbage given'
 holds "nothing is left in TMPDIR" sh -c '! ls tmp | grep -q kernels'
 
-# A signal ends each command within 5 seconds, and what it had is written.
-#   stops NAME PATTERN COMMAND...   SIGTERM once the output holds PATTERN
+# A signal ends each command within 5 seconds, with its results so far.
+#   stops NAME PATTERN COMMAND...   sends SIGTERM once the output has PATTERN
 stops() {
   local name=$1 pattern=$2 child begun took_ms watchdog
   shift 2
@@ -71,7 +71,7 @@ EOF
 }
 refuses "PoCL's device for debugging" "stops for ever" env POCL_DEVICES=basic "$program" "${two_frames[@]}" --out basic
 
-# Arguments that an unset variable or a mistake gives.
+# Arguments from unset variables or mistakes.
 refuses "an empty --intrinsics" "--intrinsics: is empty" "$program" scan demo --out odd --intrinsics ''
 refuses "an empty --database" "--database: is empty" "$program" scan demo --out odd --database ''
 refuses "an empty --out" "--out: is empty" "$program" export kernels --format ply --out ''
@@ -89,7 +89,7 @@ run "$program" session show nomap
 cp "$work.said" "$work/printed"
 holds "a damaged scan is no catalogue" sh -c 'test -s printed && ! grep -qi catalogue printed'
 
-# Names of folders hold what a terminal obeys.
+# Folder names with control sequences of a terminal.
 mkdir "$work/names"
 cp -r "$work/kernels" "$work/names/$(printf 'a\033[31mb\nc')"
 run "$program" session list names

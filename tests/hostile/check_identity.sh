@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A scan and its catalogue must not be mistaken for those of others, and say the same of every object.
+# A scan and its catalogue must not be confused with others, and must agree on every object.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 largest() { # number of the largest region of scan/ without an object

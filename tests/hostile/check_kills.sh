@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Kills the program at random moments of a scan, a resumed scan, an export and an edit: check_kills.sh [KILLS] [SEED]
-# After each kill the scan that was there before, or the new one, opens; nothing of somebody's is gone.
+# After each kill the earlier or the new scan opens, and no foreign file is lost.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 kills=${1:-60}
 RANDOM=${2:-$(date +%s)}
@@ -10,7 +10,7 @@ succeeds "a scan" "$program" scan demo --frames 8 --out first
 succeeds "a recording" "$program" record demo --frames 30 --out rec
 mkdir "$work/data" && echo mine >"$work/data/photo"
 
-# Runs a command and kills it after so many milliseconds.
+# Runs a command and kills it after a number of milliseconds.
 killed_after() {
   local ms=$1
   shift
@@ -42,7 +42,7 @@ for ((i = 0; i < kills; ++i)); do
   esac
   opens "kill $i after $after ms" scan
   holds "somebody's file after kill $i" grep -q mine data/photo
-  # What a killed export left behind is no data set that a program would take for a whole one.
+  # The remains of a killed export must not look like a complete data set.
   [ -e "$work/data/coco$i" ] && holds "export $i is whole" sh -c "! ls data/coco$i/.scantrove-unfinished"
 done
 finish

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Scans whose recordings do not follow one another, begin wrongly, or lie far from the origin.
+# Scans of unrelated recordings, with a wrong first frame, or far from the origin.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-# Times of a trajectory rise from line to line.
+# The times of a trajectory increase.
 rises() { grep -v '#' "$1" | awk 'NR > 1 && $1 <= last { exit 1 } { last = $1 }'; }
 files() { [ "$(find "$1" -type f | wc -l)" -eq "$2" ]; }
-# The recording `rec` again as $1, its cameras moved by $2 metres along x from frame $3 on.
+# Copies the recording `rec` to $1, with cameras moved by $2 metres along x from frame $3 on.
 moved() {
   cp -r "$work/rec" "$work/$1"
   for file in "$work/$1"/*.pose.txt; do

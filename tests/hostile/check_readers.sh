@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Recordings as people have them: odd times, names, images and camera files; and what leaves of them.
+# Real-world recordings: odd times, names, images and camera files; and exports of their scans.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 command -v python3 >/dev/null || { echo "python3 is needed"; exit 1; }
 
 make() { python3 "$here/make_images.py" "$1" "$work/$2"; }
-# Largest memory of a command in MB.
+# Peak memory of a command in MB.
 peak_mb() {
   (cd "$work" && python3 -c '
 import resource, subprocess, sys
@@ -37,7 +37,7 @@ for kind in rgba sixteen-bits; do
     succeeds "$kind as $format" "$program" export "out-$kind" --format "$format" --background --out "$kind-$format"
   done
 done
-# Bits and color type of a PNG lie at bytes 24 and 25.
+# Bytes 24 and 25 of a PNG are bit depth and color type.
 only_rgb() {
   local files image
   files=$(find . -path "./*-*/*" -name '*.png' \( -path '*/images/*' -o -path '*/rgb/*' -o -path '*/color/*' \) \

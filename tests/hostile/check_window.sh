@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The pass after the last frame: it can be skipped, interrupted and done later, and nothing is lost by that.
+# The refinement can be skipped, interrupted and done later without losses.
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 scan=("$program" scan demo:tabletop:7 --frames 20)
@@ -11,7 +11,7 @@ says "it is done later" "refined with" "$program" session refine skipped
 holds "the report says that it is done" grep -q '"skipped": false' "$work/skipped/report.json"
 says "once is enough" "refined already" "$program" session refine skipped
 
-# Ctrl+C while objects are refined: ends within 5 s with all results, and the rest can be done later.
+# Ctrl+C during the refinement: ends within 5 s with all results, and the rest can be done later.
 interrupt_refinement() {
   local signal=$1 out=$2
   (cd "$work" && exec "${scan[@]}" --out "$out") >"$work/$out.log" 2>&1 &
@@ -31,7 +31,7 @@ for signal in INT TERM; do
   says "SIG$signal: the rest is done later" "refined with" "$program" session refine "by$signal"
 done
 
-# The objects of a scan are in its catalogue: without that there is nothing to refine.
+# Refinement needs the catalogue of the scan.
 succeeds "another scan without refinement" "${scan[@]}" --skip-refinement --out alone
 rm -f "$work"/alone/catalogue.sqlite*
 refuses "a catalogue that is gone" "catalogue" "$program" session refine alone

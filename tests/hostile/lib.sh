@@ -1,11 +1,11 @@
-# Shared by the scripts in tests/hostile: runs the real program on hostile inputs and counts what held.
-# Each check runs in $work, an empty folder that is removed at the end. A check never runs longer than $limit_s.
+# Shared by the scripts in tests/hostile: runs the program on hostile inputs and counts passed checks.
+# Checks run in $work, an empty folder that is removed at the end, for at most $limit_s each.
 #
 #   refuses   NAME TEXT COMMAND...   exit 1 or 2, no signal, and stderr or stdout contains TEXT
 #   succeeds  NAME COMMAND...        exit 0
 #   says      NAME TEXT COMMAND...   exit 0, and stderr or stdout contains TEXT
 #   survives  NAME COMMAND...        exit 0, 1 or 2 in time: neither a signal nor a hang
-#   holds     NAME COMMAND...        a plain condition of the shell, e.g. holds "the file stays" test -f x
+#   holds     NAME COMMAND...        a shell condition, e.g. holds "the file is kept" test -f x
 set -u
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 program=${SCANTROVE:-$here/../../build/dev/app/scantrove}
@@ -76,10 +76,10 @@ holds() {
   local name=$1
   shift
   : >"$work.said"
-  if (cd "$work" && "$@"); then note_pass; else note_fail "$name" "it does not hold"; fi
+  if (cd "$work" && "$@"); then note_pass; else note_fail "$name" "the condition is false"; fi
 }
 
-# The closing line of every script; the exit code tells whether all held.
+# Prints the summary of a script. Exit code 0: all checks passed.
 finish() {
   rm -f "$work.said"
   echo "$passed passed, $failed failed"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Small recordings for the checks of readers, without any library: depth PNGs, colour PNGs, and a JPEG that
-is turned by its Exif orientation. make_images.py KIND FOLDER"""
+"""Writes small recordings for the checks of readers, without libraries: depth PNGs, colour PNGs, and a JPEG with an
+Exif orientation. make_images.py KIND FOLDER"""
 import os
 import struct
 import sys
@@ -21,7 +21,7 @@ def png(bits, color_type, rows):
 
 
 def depth(units_per_metre, step):
-    """A wall with a box before it, that moves a little."""
+    """A wall with a box that moves a little."""
     rows = []
     for y in range(HEIGHT):
         row = []

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Damages copies of a small session in random ways and looks what the program makes of them.
+"""Damages copies of a small session at random and checks how the program handles them.
 
     mutate_sessions.py PROGRAM [--count N] [--seed S] [--verbose]
 
@@ -23,13 +23,13 @@ import tempfile
 
 LIMIT_S = 120
 FORMATS = ["coco", "tum", "ply", "masks"]
-DATE = re.compile(rb"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d[.\d]*Z")  # when a data set was made
-# Looked at, but no part of the result.
+DATE = re.compile(rb"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d[.\d]*Z")  # the date of a data set
+# Commands that are run, but whose output is not compared.
 NOT_RESULT = {"damages"}
 
 
 def run(arguments):
-    """Exit code (negative: a signal; None: it hung), stdout and what was said about damage."""
+    """Exit code (negative: a signal; None: it hung), stdout and messages about damage."""
     try:
         done = subprocess.run(arguments, stdin=subprocess.DEVNULL, capture_output=True, timeout=LIMIT_S)
     except subprocess.TimeoutExpired:
@@ -48,7 +48,7 @@ def content_of(folder):
 
 
 class Looks:
-    """What the commands say of a session."""
+    """Outputs of the commands for a session."""
 
     def __init__(self, program, session, out, formats):
         self.commands = {}
@@ -86,7 +86,7 @@ def verdict(sound, damaged):
     return worst, where
 
 
-# --- Changes. Each gives a description, or None where it finds nothing to change.
+# --- Changes. Each returns a description, or None when there is nothing to change.
 
 
 def files_of(session, kinds):
@@ -150,7 +150,7 @@ ROW_TABLES = ["facts", "frames", "key_frames", "fragments", "regions", "borders"
 
 
 def some_row(chance, base):
-    """A table with rows, and the WHERE that holds for one of them."""
+    """A table with rows, and a WHERE clause for one of them."""
     tables = [t for t in ROW_TABLES if base.execute(f"SELECT count(*) FROM {t}").fetchone()[0] > 0]
     table = chance.choice(tables)
     keys = [row[1] for row in base.execute(f"PRAGMA table_info({table})") if row[5] > 0]
@@ -211,7 +211,7 @@ def double_row(chance, session):
 
 
 def swap_rows(chance, session):
-    """Two rows of a table take each other's content; for pages, each other's record."""
+    """Swaps the contents of two rows of a table; for pages, their records."""
     with sqlite3.connect(session / "session.sqlite") as base:
         table = chance.choice(["pages", "frames", "key_frames", "regions", "fragments"])
         info = base.execute(f"PRAGMA table_info({table})").fetchall()
@@ -248,7 +248,7 @@ WEIGHTS = [4, 2, 2, 1, 1, 1, 1, 5, 2, 1, 2]
 
 def make_session(program, folder):
     session = folder / "sound"
-    settings = ["--set", "fusion.voxel_size_m=0.012", "--set", "fusion.working_width=160"]  # quick
+    settings = ["--set", "fusion.voxel_size_m=0.012", "--set", "fusion.working_width=160"]  # for speed
     for arguments in (["scan", "demo", "--frames", "24", "--out", str(session), *settings],):
         code, _, said = run([program, *arguments])
         if code != 0:
@@ -283,7 +283,7 @@ def main():
         for number in range(options.count):
             seed = options.seed + number
             chance = random.Random(seed)
-            copy = folder / "copies" / session.name  # some results hold the name
+            copy = folder / "copies" / session.name  # some results contain the name
             shutil.copytree(session, copy)
             kind = chance.choices(list(CHANGES), WEIGHTS)[0]
             done = CHANGES[kind](chance, copy)

@@ -11,17 +11,16 @@
 
 namespace scantrove::test {
 
-/// A scene of planes, spheres, cylinders and boxes whose depth images and normals are known exactly. World
-/// frame, metres.
+/// A scene of planes, spheres, cylinders and boxes with exact depth images and normals. World frame, metres.
 class AnalyticScene {
  public:
-  /// Where a ray first meets a surface: `t` along the ray's direction, unit normal towards the ray's origin.
+  /// First intersection of a ray: `t` along its direction, and the unit normal towards its origin.
   struct Hit {
     double t = 0;
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   };
 
-  /// The plane through `point`; seen from both sides.
+  /// A plane through `point`, visible from both sides.
   AnalyticScene& plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     const Eigen::Vector3d n = normal.normalized();
     surfaces_.push_back([=](const Eigen::Vector3d& o, const Eigen::Vector3d& d) -> std::optional<Hit> {
@@ -74,14 +73,14 @@ class AnalyticScene {
     return first;
   }
 
-  /// What pixel (u, v) sees; `t` is the depth along the optical axis.
+  /// The surface at pixel (u, v); `t` is the depth along the optical axis.
   [[nodiscard]] std::optional<Hit> seenBy(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
                                           double u, double v) const {
     return cast(T_world_camera.translation(),
                 T_world_camera.linear() * Eigen::Vector3d((u - K.cx) / K.fx, (v - K.cy) / K.fy, 1));
   }
 
-  /// width * height depths in metres, row by row, 0 where nothing is seen.
+  /// width * height depths in metres, row by row, 0 without a surface.
   [[nodiscard]] std::vector<float> depth(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) const {
     std::vector<float> result;
     for (int v = 0; v < K.height; ++v) {
@@ -94,7 +93,7 @@ class AnalyticScene {
   }
 
  private:
-  /// |A (x - centre)| = radius for a projection A; seen from both sides.
+  /// |A (x - centre)| = radius for a projection A; visible from both sides.
   AnalyticScene& quadric(const Eigen::Matrix3d& A, const Eigen::Vector3d& center, double radius) {
     surfaces_.push_back([=](const Eigen::Vector3d& o, const Eigen::Vector3d& d) -> std::optional<Hit> {
       const Eigen::Vector3d p = A * (o - center), q = A * d;
@@ -115,7 +114,7 @@ class AnalyticScene {
   std::vector<Surface> surfaces_;
 };
 
-/// A camera at `eye` that looks at `target`, its y axis as near to -`up` as can be.
+/// A camera at `eye` that looks at `target`, its y axis as close to -`up` as possible.
 [[nodiscard]] inline Eigen::Isometry3d lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
                                               const Eigen::Vector3d& up = Eigen::Vector3d(0.1, 1, 0.05)) {
   const Eigen::Vector3d z = (target - eye).normalized();

@@ -1,9 +1,9 @@
-// A program that uses a catalogue beside a test: catalogue_user FILE. It does what the lines of its standard
-// input say and answers each with one line: "ok", "stored ID", or the error's message.
-//   open             opens the catalogue, once more if it has done so
+// A program that uses a catalogue during a test: catalogue_user FILE. It executes commands from stdin, one
+// per line, and answers each with one line: "ok", "stored ID", or an error message.
+//   open             opens the catalogue, again if it is open
 //   add              stores an object
 //   rename ID NAME
-//   write            stores objects until it is killed, a line for each
+//   write            stores objects until it is killed, with a line for each
 //   quit             closes the catalogue and ends
 #include <QCoreApplication>
 #include <iostream>
@@ -19,7 +19,7 @@ class CatalogueUser {
  public:
   explicit CatalogueUser(std::string file) : file_(std::move(file)) {}
 
-  /// The answer to one line.
+  /// Executes a command. Result: the answer.
   std::string answer(const std::string& line) {
     std::istringstream words(line);
     std::string command;
@@ -28,7 +28,7 @@ class CatalogueUser {
     if (databases_.empty()) return "not open";
     if (command == "add") return add();
     if (command == "rename") return rename(words);
-    return "what is '" + line + "'?";
+    return "unknown command '" + line + "'";
   }
 
  private:

@@ -18,10 +18,10 @@
 
 namespace scantrove::test {
 
-/// A program that runs beside the test. Killed with the test that started it.
+/// A program that runs during a test. The destructor kills it.
 class ChildProcess {
  public:
-  using Environment = std::map<std::string, std::string>;  ///< set on top of the test's own
+  using Environment = std::map<std::string, std::string>;  ///< added to the environment of the test
 
   explicit ChildProcess(const std::vector<std::string>& command, const Environment& environment = {}) {
     std::vector<char*> arguments;
@@ -55,7 +55,7 @@ class ChildProcess {
     return !status_;
   }
 
-  /// Exit code; 128 + signal when one ended it; killed with -1 when it takes longer than `limit`.
+  /// Waits for the end. Result: the exit code; 128 + signal when one ended it; -1 when `limit` passed.
   int wait(std::chrono::seconds limit = std::chrono::seconds(300)) {
     const auto end = std::chrono::steady_clock::now() + limit;
     while (isRunning()) {
@@ -80,7 +80,7 @@ class ChildProcess {
   std::optional<int> status_;
 };
 
-/// What a program that ran to its end left.
+/// Exit code and output of a finished program.
 struct Finished {
   int exit_code = 0;
   std::string out;

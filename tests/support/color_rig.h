@@ -13,12 +13,12 @@
 
 namespace scantrove::test {
 
-/// An analytic scene with paint on it: red, green, blue in 0 .. 255 by place.
+/// An analytic scene with colours: red, green, blue in 0 .. 255 by world position.
 struct PaintedScene {
   AnalyticScene shape;
   std::function<Eigen::Vector3d(const Eigen::Vector3d& p_world)> paint;
 
-  /// CV_8UC3, BGR; black where nothing is seen.
+  /// CV_8UC3, BGR; black without a surface.
   [[nodiscard]] cv::Mat photograph(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) const {
     cv::Mat image(K.height, K.width, CV_8UC3, cv::Scalar(0, 0, 0));
     for (int v = 0; v < K.height; ++v) {
@@ -36,14 +36,14 @@ struct PaintedScene {
     return image;
   }
 
-  /// Whether something stands between `eye` and a point of the surface.
+  /// Whether another surface lies between `eye` and a point of a surface.
   [[nodiscard]] bool isHidden(const Eigen::Vector3d& p_world, const Eigen::Vector3d& eye) const {
     const auto hit = shape.cast(eye, p_world - eye);
     return hit && hit->t < 0.98;
   }
 };
 
-/// What one view of a scene is made of, all of it known: vertices of exact depth, and the map's surface.
+/// One view of a scene: a frame with exact depth, and the surface of the map.
 struct ColorShot {
   RgbdFrame frame;
   DepthPyramid depth;
@@ -52,7 +52,7 @@ struct ColorShot {
   cv::Mat hidden;
 };
 
-/// Shows an analytic scene to a map and its colours. The depth camera's working resolution is its own.
+/// Fuses views of an analytic scene and their colours into a map. Depth images have the working resolution.
 class ColorRig {
  public:
   ColorRig(ComputeContext& compute, const FusionParams& params) : compute_(compute) {
@@ -64,7 +64,7 @@ class ColorRig {
     integrator_ = std::move(*integrator);
   }
 
-  /// Depth into the map, and its surface raycast. Without `camera` colour is registered, of `color_size`.
+  /// Fuses the depth of a view and raycasts the map. Without `camera`, colour is registered, of `color_size`.
   [[nodiscard]] ColorShot look(const PaintedScene& scene, const Intrinsics& K, const Eigen::Isometry3d& T,
                                const std::optional<ColorCamera>& camera, const cv::Size& color_size = {}) {
     ColorShot shot;

@@ -22,7 +22,7 @@ void onEachDevice(Check&& check) {
   }
 }
 
-/// The same with kernels for every number of lanes.
+/// As onEachDevice(), with kernels for each number of lanes.
 template <class Check>
 void onEachWidth(Check&& check) {
   const std::vector<DeviceInfo> devices = listDevices();

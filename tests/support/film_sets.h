@@ -11,9 +11,9 @@
 
 namespace scantrove::test {
 
-/// An L-shaped block ("L block") in the middle of a table, with other things at a distance. In the first
-/// frames it is seen straight from the front: a foot and an upright that only meet in a concave edge. Later
-/// frames show the L-shaped side, which joins both over rounded convex edges.
+/// An L-shaped block ("L block") in the middle of a table, with other objects at a distance. The first frames
+/// show it from the front: a foot and an upright that meet in a concave edge. Later frames show the L-shaped
+/// side, which connects both over rounded convex edges.
 inline synthetic::SceneRecipe makeLBlockSet() {
   using namespace synthetic;
   SyntheticScene scene;
@@ -23,7 +23,7 @@ inline synthetic::SceneRecipe makeLBlockSet() {
   addTable(scene, {}, {1.1, 1.1, 0.70}, {Pattern::wood, rgb(0xc79a66)});
   addLBlock(scene, "L block", {0, 0, 0.70, 0}, {0.26, 0.20, 0.22}, 0.08, 0.02,
             {Pattern::wood, rgb(0x7fb069), {}, {}, 0.03F});
-  // Company at a distance: a bare table top would leave the camera's position open.
+  // Objects at a distance: a bare table top would not constrain the camera.
   addWall(scene, "wall, back", {-2.0, 0, 0, 90}, 4.4, 0xe6e1d6);
   addWall(scene, "wall, left", {0, -2.2, 0, 180}, 4.0, 0x9fb8ad);
   addCarton(scene, "carton", {-0.40, -0.34, 0.70, 25}, {0.17, 0.07, 0.24},
@@ -35,7 +35,7 @@ inline synthetic::SceneRecipe makeLBlockSet() {
   addBall(scene, "ball", {-0.14, 0.44, 0.70}, 0.06,
           {Pattern::stripes, rgb(0xd7263d), rgb(0xf5f1e8), {}, 0.0628F, 0.3F});
   const auto path = [](double t) -> Gaze {
-    // Straight from the front for half a second, then round to the side, then back again.
+    // From the front for half a second, then to the side, then back.
     const double turned = 42 * (1 - std::cos(std::clamp(t - 0.5, 0.0, 1e9) * 2 * std::numbers::pi / 15));
     const double azimuth = turned * (std::numbers::pi / 180);
     return {{0.64 * std::cos(azimuth), 0.64 * std::sin(azimuth), 1.14}, {0, 0, 0.78}};
@@ -48,7 +48,7 @@ inline synthetic::SceneRecipe makeLBlockSet() {
           .lit_radius_m = 1.5};
 }
 
-/// Floor, walls, a parcel, a basket, and a chair ("chair") that cuts the floor in the first frames; later
+/// Floor, walls, a parcel, a basket, and a chair ("chair") that splits the floor in the first frames. Later
 /// frames show the floor around it in one piece.
 inline synthetic::SceneRecipe makeChairFloorSet() {
   using namespace synthetic;
@@ -80,7 +80,7 @@ inline synthetic::SceneRecipe makeChairFloorSet() {
 }
 
 /// Seven books ("book 0" ... "book 6") in a row on a table, 2.5 to 4.5 cm thick, spines towards the camera,
-/// which walks along them a metre away.
+/// which moves along them at 1 m.
 inline synthetic::SceneRecipe makeBookRowSet() {
   using namespace synthetic;
   SyntheticScene scene;

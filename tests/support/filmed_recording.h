@@ -9,7 +9,7 @@
 
 namespace scantrove::test {
 
-/// A camera of 320 x 240 pixels that films the synthetic table top, without noise.
+/// The synthetic table top in 320 x 240 pixels, without noise.
 inline SyntheticOptions smallRecording() {
   SyntheticOptions options;
   options.K = {262.5F, 262.5F, 159.5F, 119.5F, 320, 240};
@@ -18,10 +18,10 @@ inline SyntheticOptions smallRecording() {
   return options;
 }
 
-/// Writes `frames` frames of a film as a recording in `folder`, each after `change`.
-inline void writeRecording(const std::filesystem::path& folder, const SyntheticOptions& film, int frames,
+/// Writes `frames` synthetic frames as a recording in `folder`, each after `change`.
+inline void writeRecording(const std::filesystem::path& folder, const SyntheticOptions& options, int frames,
                            const std::function<void(RgbdFrame&)>& change) {
-  const auto source = makeSyntheticSource(film);
+  const auto source = makeSyntheticSource(options);
   ASSERT_TRUE(source) << source.error().message();
   auto writer = RecordingWriter::create(folder, (*source)->info());
   ASSERT_TRUE(writer) << writer.error().message();

@@ -17,28 +17,29 @@
 
 namespace scantrove::test {
 
-/// demo:moving:SEED, scanned with Kinect noise, and held against what was filmed.
+/// A scan of demo:moving:SEED with Kinect noise, compared with the truth.
 struct MovingScan {
   int frames = 0;
   int tracked = 0;
-  double rms_m = 0;                               ///< of the camera's distance from where it was, not aligned
-  double ate_m = 0;                               ///< the same, aligned: absoluteTrajectoryError
-  double farthest_m = 0;                          ///< not aligned
-  std::set<std::uint32_t> mug_before, mug_after;  ///< the objects for which it was taken, while it stood so
-  std::int64_t points = 0;                        ///< of the cloud
-  std::int64_t ghosts_3cm = 0, ghosts_4cm = 0;    ///< of them, farther from all surface at the end
-  std::int64_t of_people = 0;  ///< of ghosts_3cm: where the walker or the arm was seen some time
-  std::int64_t of_things = 0;  ///< of the others: where mug or chair was seen some time
+  double rms_m = 0;       ///< of the position error, without alignment
+  double ate_m = 0;       ///< absoluteTrajectoryError(): after alignment
+  double farthest_m = 0;  ///< largest position error, without alignment
+  std::set<std::uint32_t> mug_before,
+      mug_after;            ///< objects of the catalogue at the mug, before and after its move
+  std::int64_t points = 0;  ///< of the cloud
+  std::int64_t ghosts_3cm = 0, ghosts_4cm = 0;  ///< points farther from all surfaces at the end
+  std::int64_t of_people = 0;                   ///< of ghosts_3cm: near a former surface of person or arm
+  std::int64_t of_moved_objects = 0;            ///< of the rest: near a former surface of mug or chair
 };
 
 namespace moving {
 
-// Before that frame the mug stands where it stood.
+// The mug is at rest before this frame.
 inline constexpr int kMugIsTaken = 150;
-// Mug and chair are at rest from then on.
+// Mug and chair are at rest from this frame on.
 inline constexpr int kAllIsDone = 335;
 
-inline SyntheticOptions filmed(std::uint32_t seed, bool noise) {
+inline SyntheticOptions optionsFor(std::uint32_t seed, bool noise) {
   SyntheticOptions options;
   options.set = [seed] { return synthetic::makeRandomMovingSet(seed); };
   options.noise = noise;
@@ -46,36 +47,36 @@ inline SyntheticOptions filmed(std::uint32_t seed, bool noise) {
   return options;
 }
 
-/// What was there: at the end, and some time of what moves.
+/// True surfaces: at the end, and of moving objects in all frames.
 struct Truth {
-  TrueSurface at_the_end, people, things;
+  TrueSurface at_the_end, people, moved_objects;
 };
 
 inline Truth truthOf(std::uint32_t seed) {
-  SyntheticOptions options = filmed(seed, false);
+  SyntheticOptions options = optionsFor(seed, false);
   options.stride = 5;
   const auto source = makeSyntheticSource(options).value();
-  const auto is = [&](std::uint16_t who, const char* a, const char* b) {
-    return who != 0 && (who == source->scene().find(a) || who == source->scene().find(b));
+  const auto isOneOf = [&](std::uint16_t id, const char* a, const char* b) {
+    return id != 0 && (id == source->scene().find(a) || id == source->scene().find(b));
   };
   Truth truth;
   for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
-    const auto isPerson = [&](std::uint16_t who) { return is(who, "walker", "arm"); };
-    const auto isThing = [&](std::uint16_t who) { return is(who, "mug", "chair"); };
+    const auto isPerson = [&](std::uint16_t id) { return isOneOf(id, "walker", "arm"); };
+    const auto isMovedObject = [&](std::uint16_t id) { return isOneOf(id, "mug", "chair"); };
     const bool is_done = read.frame.index >= kAllIsDone;
     truth.at_the_end.add(read.frame, options.K,
-                         [&](std::uint16_t who) { return !isPerson(who) && (is_done || !isThing(who)); });
+                         [&](std::uint16_t id) { return !isPerson(id) && (is_done || !isMovedObject(id)); });
     truth.people.add(read.frame, options.K, isPerson);
-    truth.things.add(read.frame, options.K, isThing);
+    truth.moved_objects.add(read.frame, options.K, isMovedObject);
   }
   return truth;
 }
 
-/// The objects of the catalogue that are seen where the frame shows the thing.
-inline std::set<std::uint32_t> objectsAt(std::uint16_t thing, const RgbdFrame& frame,
+/// Objects of the catalogue whose box overlaps that of the instance by more than 0.6.
+inline std::set<std::uint32_t> objectsAt(std::uint16_t instance, const RgbdFrame& frame,
                                          const FrameObjects& objects) {
   std::set<std::uint32_t> found;
-  const cv::Rect box = cv::boundingRect(frame.instances == thing);
+  const cv::Rect box = cv::boundingRect(frame.instances == instance);
   const auto width = static_cast<float>(frame.color.cols), height = static_cast<float>(frame.color.rows);
   for (const SeenObject& seen : objects.seen) {
     const cv::Rect2f seen_box(seen.box.x * width, seen.box.y * height, seen.box.width * width,
@@ -89,9 +90,9 @@ inline std::set<std::uint32_t> objectsAt(std::uint16_t thing, const RgbdFrame& f
 
 }  // namespace moving
 
-/// Needs a Qt application (QtMainThread). `frames`: only the first; 0: all.
+/// Needs a QtMainThread. `frames`: number of frames; 0: all.
 inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute, int frames = 0) {
-  SyntheticOptions options = moving::filmed(seed, true);
+  SyntheticOptions options = moving::optionsFor(seed, true);
   if (frames > 0) options.at_most = frames;
   const auto source = makeSyntheticSource(options);
   if (!source) return fail(source.error());
@@ -118,10 +119,10 @@ inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute
     const Eigen::Isometry3d& truth = *read.frame.T_world_camera;
     if (scan.frames == 0) T_world_map = truth;
     if (result->pose.usable()) {
-      const double off_m =
+      const double error_m =
           (result->pose.T_world_camera.translation() - (T_world_map.inverse() * truth).translation()).norm();
-      scan.farthest_m = std::max(scan.farthest_m, off_m);
-      scan.rms_m += off_m * off_m;
+      scan.farthest_m = std::max(scan.farthest_m, error_m);
+      scan.rms_m += error_m * error_m;
       const auto time_s = static_cast<double>(scan.frames);
       poses.push_back({{time_s, result->pose.T_world_camera}, {time_s, truth}});
       ++scan.tracked;
@@ -135,15 +136,15 @@ inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute
 
   const moving::Truth truth = moving::truthOf(seed);
   SCANTROVE_TRY(pipeline->readout().forEachCloudPoint([&](const LabelPoint& point) {
-    const Eigen::Vector3d place = T_world_map * Eigen::Vector3d(point.x, point.y, point.z);
+    const Eigen::Vector3d p_world = T_world_map * Eigen::Vector3d(point.x, point.y, point.z);
     ++scan.points;
-    if (truth.at_the_end.isNear(place, 3)) return;
+    if (truth.at_the_end.isNear(p_world, 3)) return;
     ++scan.ghosts_3cm;
-    if (!truth.at_the_end.isNear(place, 4)) ++scan.ghosts_4cm;
-    if (truth.people.isNear(place, 3)) {
+    if (!truth.at_the_end.isNear(p_world, 4)) ++scan.ghosts_4cm;
+    if (truth.people.isNear(p_world, 3)) {
       ++scan.of_people;
-    } else if (truth.things.isNear(place, 3)) {
-      ++scan.of_things;
+    } else if (truth.moved_objects.isNear(p_world, 3)) {
+      ++scan.of_moved_objects;
     }
   }));
   return scan;

@@ -4,13 +4,13 @@
 
 namespace scantrove::test {
 
-/// Values as an .oni file holds them.
+/// The bytes of a value, as in an .oni file.
 template <class Value>
 std::string raw(Value value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-/// A text with its end and its length in front.
+/// A zero-terminated text after its length.
 inline std::string oniText(const std::string& text) {
   return raw(static_cast<std::uint32_t>(text.size() + 1)) + text + '\0';
 }
@@ -21,7 +21,7 @@ inline std::string oniRecord(std::uint32_t type, const std::string& fields, cons
          raw(static_cast<std::uint32_t>(payload.size())) + raw(std::uint64_t{0}) + fields + payload;
 }
 
-/// The structure of an .oni file with one node, one property, one image (of no known format) and its end.
+/// An .oni file with one node, one property, one image of an unknown format, and its end.
 inline std::string oniBytes(const std::string& property = "Mirror") {
   const std::string header = "NI10" + raw(std::uint32_t{0x00010001}) + raw(std::uint32_t{0}) +
                              raw(std::uint64_t{33333}) + raw(std::uint32_t{1});

@@ -13,19 +13,19 @@ inline std::string encoded(const std::string& extension, const cv::Mat& image) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// As programs read an image that know orientations.
-inline cv::Mat seenByOthers(const std::string& bytes) {
+/// The image as decoded by programs that apply the orientation.
+inline cv::Mat decodeUpright(const std::string& bytes) {
   return cv::imdecode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), cv::IMREAD_COLOR);
 }
 
-/// The bytes of a JPEG with one more segment behind its start.
+/// The JPEG with another segment after its start.
 inline std::string withSegment(const std::string& jpeg, char marker, const std::string& content) {
   const std::size_t length = content.size() + 2;
   return jpeg.substr(0, 2) + '\xFF' + marker + static_cast<char>(length >> 8U) +
          static_cast<char>(length & 0xFFU) + content + jpeg.substr(2);
 }
 
-/// A TIFF directory as Exif has it: the maker and the orientation.
+/// A TIFF directory of Exif: maker and orientation.
 inline std::string exifDirectory(bool is_big_endian, int orientation) {
   std::string text = is_big_endian ? "MM" : "II";
   const auto put = [&](unsigned value, int bytes) {

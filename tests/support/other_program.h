@@ -9,7 +9,7 @@
 
 namespace scantrove::test {
 
-/// A second program at a catalogue file. One at a time.
+/// Another program that has the database open. One at a time.
 class OtherProgram {
  public:
   explicit OtherProgram(const std::string& file) {
@@ -25,7 +25,7 @@ class OtherProgram {
   OtherProgram& operator=(const OtherProgram&) = delete;
 
   void execute(const QString& sql) { EXPECT_TRUE(QSqlQuery(database_).exec(sql)) << sql.toStdString(); }
-  /// The first value of the answer; empty when there is none.
+  /// The first value of the result; empty: none.
   std::string ask(const QString& sql) {
     QSqlQuery query(database_);
     EXPECT_TRUE(query.exec(sql)) << sql.toStdString();

@@ -6,7 +6,7 @@ namespace scantrove::test {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Turned about z, then y, then x, and moved there.
+/// Rotation Rz * Ry * Rx, and translation (x, y, z).
 inline Eigen::Isometry3d pose(double rx_deg, double ry_deg, double rz_deg, double x, double y, double z) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = (Eigen::AngleAxisd(rz_deg * kDegree, Eigen::Vector3d::UnitZ()) *

@@ -3,9 +3,9 @@
 
 namespace scantrove::test {
 
-/// Introduces the thread that makes it to Qt before any other: Qt takes the first thread it meets for the
-/// main one, and tidies up after it when the process ends, which must not be a worker that has ended long
-/// before. A program does the same by making its application object first.
+/// Makes the current thread Qt's main thread. Qt takes the first thread that uses it for the main one and
+/// cleans up for it at the end of the process; that must not be an ended worker. Programs make their
+/// application object first instead.
 class QtMainThread {
  public:
   QtMainThread() : thread_(QThread::currentThread()) {}

@@ -19,8 +19,8 @@ inline std::filesystem::path recordingsFolder() {
 
 }  // namespace scantrove::test
 
-/// Declares `variable`, the path of the recording `name` (a folder or file below the recordings folder), or
-/// skips the test, saying what is missing.
+/// Declares `variable`, the path of the recording `name` (a folder or file in the recordings folder), or
+/// skips the test and names the missing path.
 #define SCANTROVE_NEED_RECORDING(variable, name)                                         \
   const std::filesystem::path variable = ::scantrove::test::recordingsFolder() / (name); \
   if (!std::filesystem::exists(variable)) {                                              \

@@ -1,5 +1,5 @@
 // Linked into every executable of a build with a sanitizer, so that `ctest --preset asan` (or tsan) reports
-// this project's errors only. The sanitizer's runtime calls these functions by name; nothing else does.
+// this project's errors only. The runtime of the sanitizer calls these functions by name.
 
 extern "C" {
 
@@ -8,14 +8,12 @@ const char* __lsan_default_suppressions();
 const char* __tsan_default_suppressions();
 int dlclose(void* library);
 
-// Without this the leak check of a process with many OpenCL threads fails on its own ("Tracer caught signal
-// 11").
+// Otherwise the leak check crashes in a process with many OpenCL threads ("Tracer caught signal 11").
 const char* __asan_default_options() { return "intercept_tls_get_addr=0"; }
 
-// Memory that libraries keep for the life of the process: OpenNI2 and its drivers, D-Bus below Qt, Mesa's
-// software OpenGL with the LLVM and X libraries that it brings; and PoCL, 16 bytes whenever it compiles a
-// kernel that is not in its cache yet (which hides an OpenCL object that we forget, too; all of them are held
-// by cl:: handles).
+// Memory that libraries hold until the process ends: OpenNI2 and its drivers, D-Bus of Qt, Mesa's software
+// OpenGL with LLVM and X libraries; and PoCL, 16 bytes for each kernel compiled without its cache. The last
+// also hides leaked OpenCL objects; cl:: handles hold all of ours.
 const char* __lsan_default_suppressions() {
   return "leak:libOpenNI2\n"
          "leak:OpenNI2/Drivers\n"
@@ -27,9 +25,9 @@ const char* __lsan_default_suppressions() {
          "leak:libxcb\n";
 }
 
-// Libraries built without the thread sanitizer, whose locks it does not see: OpenNI2 and its drivers, Qt's
-// lock of its list of database connections, and GDAL, which OpenCV loads and which orders its locks when it
-// starts. And OpenCV's own counting of who holds an image: the last one to let go frees it.
+// Libraries built without the thread sanitizer, which does not see their locks: OpenNI2 and its drivers, Qt's
+// lock of database connections, and GDAL, which OpenCV loads and which orders its locks at its start. Also
+// OpenCV's reference counts of images.
 const char* __tsan_default_suppressions() {
   return "race:libOpenNI2\n"
          "race:OpenNI2/Drivers\n"
@@ -43,9 +41,8 @@ const char* __tsan_default_suppressions() {
 }  // extern "C"
 
 #ifdef __SANITIZE_THREAD__
-// OpenCV's threads are TBB's, of whose locks the thread sanitizer sees nothing either: what a loop over an
-// image writes on one of them would be a race with whoever reads it afterwards. So they all run on their
-// caller's.
+// The thread sanitizer does not see the locks of TBB, which runs OpenCV's threads: reads after a parallel
+// loop would count as races. So loops run on the calling thread.
 namespace cv {
 void setNumThreads(int threads) __attribute__((weak));  // a program need not have OpenCV
 }
@@ -56,7 +53,7 @@ __attribute__((constructor)) static void runLoopsOnOneThread() {
 
 extern "C" {
 
-// Plug-ins stay loaded: the report could not name the library of a leak otherwise.
+// Plug-ins stay loaded, so that a report can name the library of a leak.
 int dlclose(void* /*library*/) { return 0; }
 
 }  // extern "C"

@@ -10,19 +10,19 @@
 
 namespace scantrove::test {
 
-/// How a scan ended and what it said on the way.
+/// The result of a scan and its events.
 struct ScanEnding {
   std::optional<ScanReport> report;  ///< empty: it failed
   std::string error;
   std::vector<FrameSkipped> skipped;
   std::vector<std::string> added;       ///< names
   std::vector<std::string> recognized;  ///< names
-  std::vector<ObjectId> merged;         ///< objects that became part of others
+  std::vector<ObjectId> merged;         ///< objects merged into others
   std::vector<RefinementStepped> refinement;
-  std::vector<ObjectId> removed;  ///< that turned out not to be what their views show
+  std::vector<ObjectId> removed;  ///< objects dropped because their views do not show them
 };
 
-/// Runs one scan to its end through the worker that window and command line use.
+/// Runs a scan to its end with the ScanWorker of window and command line.
 inline ScanEnding runScan(ScanRequest request) {
   ScanEnding ending;
   const QtMainThread qt;

@@ -3,7 +3,7 @@
 
 namespace scantrove::test {
 
-/// The root of the source tree that the tests were built from.
+/// The root of the source tree of this build.
 [[nodiscard]] std::filesystem::path sourceTree();
 
 }  // namespace scantrove::test

@@ -14,7 +14,7 @@
 
 namespace scantrove::test {
 
-/// A synthetic scene run through the pipeline frame by frame, without a catalogue.
+/// Runs the mapping pipeline on a synthetic scene, without a catalogue.
 class SyntheticScan {
  public:
   struct Frame {
@@ -67,7 +67,7 @@ class SyntheticScan {
     return absoluteTrajectoryError(pairs).rmse;
   }
 
-  /// What the map shows of a frame by now, as labels-final/ has it: surface without label takes the nearest.
+  /// Regions of the map in a frame, as in labels-final/: surface without a label takes the nearest one.
   [[nodiscard]] cv::Mat finalRegions(const Frame& frame) const {
     const auto view =
         pipeline_->readout().renderView(frame.pose.T_world_camera, pipeline_->workingIntrinsics());
@@ -80,7 +80,7 @@ class SyntheticScan {
     return image(upsampler.apply(view->regions), pipeline_->workingIntrinsics());
   }
 
-  /// Ids of `labels` that hold at least `share` of the pixels where `instances` is `instance`.
+  /// Labels with at least `share` of the labelled pixels of `instance`.
   [[nodiscard]] static std::vector<int> labelsOf(const cv::Mat& labels, const cv::Mat& instances,
                                                  int instance, double share) {
     std::map<int, int> count;

@@ -10,7 +10,7 @@
 
 namespace scantrove::test {
 
-/// A fresh folder that goes away with its test.
+/// A new folder; the destructor removes it.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -28,7 +28,7 @@ class TemporaryFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-  /// Writes a text file in the folder and returns its path.
+  /// Writes a file in the folder. Result: its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     const std::filesystem::path path = path_ / name;
     std::filesystem::create_directories(path.parent_path());

@@ -11,10 +11,10 @@
 
 namespace scantrove::test {
 
-/// Depth filter, tracker, motion filter and map without the rest of a scan.
+/// Depth filter, tracker, motion filter and map only.
 class TrackingRig {
  public:
-  /// `K`: of the frames' depth images. Throws on what create() refuses.
+  /// `K`: of the depth images. Throws where create() fails.
   TrackingRig(ComputeContext& compute, const Intrinsics& K)
       : compute_(compute),
         preprocessor_(std::move(DepthPreprocessor::create(compute, K, params_).value())),
@@ -27,7 +27,7 @@ class TrackingRig {
   TrackingRig(const TrackingRig&) = delete;
   TrackingRig& operator=(const TrackingRig&) = delete;
 
-  /// Tracks the frame; it goes into the map when its pose is usable.
+  /// Tracks the frame and fuses it when its pose is usable.
   PoseEstimate show(const RgbdFrame& frame) {
     const DepthPyramid& depth = preprocessor_->process(frame);
     working_K_ = depth.levels.front().K;
@@ -43,8 +43,8 @@ class TrackingRig {
     return pose;
   }
 
-  /// Frames, by index, that could be used only after the last one was; they go into the map.
-  std::vector<std::pair<int, PoseEstimate>> understoodLate() {
+  /// Fuses earlier frames that got a pose only with the last one. Result: their indexes and poses.
+  std::vector<std::pair<int, PoseEstimate>> takeLateFrames() {
     std::vector<std::pair<int, PoseEstimate>> late;
     for (PoseTracker::UncertainFrame& uncertain : tracker_->takeUncertain()) {
       const int index = uncertain.frame.index;
@@ -58,7 +58,7 @@ class TrackingRig {
     return late;
   }
 
-  /// Of track(), frame by frame.
+  /// Times of track() by frame.
   [[nodiscard]] std::vector<double> trackTimes_ms() const { return timer_.stages().front().all_ms; }
 
  private:

@@ -8,10 +8,10 @@
 
 namespace scantrove::test {
 
-/// What surface there is, sampled from exact depth images, in cells of 1 cm.
+/// The true surface, sampled from exact depth images in cells of 1 cm.
 class TrueSurface {
  public:
-  /// Adds the readings of an exact frame at its true pose, of those pixels that `counts(instance)`.
+  /// Adds the readings of an exact frame at its true pose, for pixels whose instance passes `counts`.
   template <class Counts>
   void add(const RgbdFrame& frame, const Intrinsics& K, const Counts& counts) {
     for (int v = 0; v < frame.depth.rows; ++v) {
@@ -25,7 +25,7 @@ class TrueSurface {
     }
   }
 
-  /// Whether there is surface within about `reach` cells of a point of the world.
+  /// Whether a world point has surface within `reach` cells.
   [[nodiscard]] bool isNear(const Eigen::Vector3d& point, int reach) const {
     const Eigen::Vector3i cell = cellOf(point);
     for (int z = -reach; z <= reach; ++z) {

@@ -116,14 +116,14 @@ TEST(PoseTracker, ConfirmsAnUncertainPose_ByLaterFrames) {
     TrackingRig rig(compute, kKinect);
     ASSERT_TRUE(rig.show(through(kFirstView, 0)).usable());
     ASSERT_EQ(rig.show(through(kUncertainView, 1)).state, TrackingState::uncertain);
-    EXPECT_TRUE(rig.understoodLate().empty());
+    EXPECT_TRUE(rig.takeLateFrames().empty());
     ASSERT_TRUE(rig.show(through({0, 0, 640, 480}, 2)).usable());
-    const std::vector<std::pair<int, PoseEstimate>> late = rig.understoodLate();
+    const std::vector<std::pair<int, PoseEstimate>> late = rig.takeLateFrames();
     ASSERT_EQ(late.size(), 1U);
     EXPECT_EQ(late.front().first, 1);
     const Eigen::Isometry3d truth = pose(0.2, 0, 0, 0.002, 0, 0);
     EXPECT_LT((late.front().second.T_world_camera.translation() - truth.translation()).norm(), 0.002);
-    EXPECT_TRUE(rig.understoodLate().empty()) << "reported once";
+    EXPECT_TRUE(rig.takeLateFrames().empty()) << "reported once";
   });
 }
 
@@ -134,10 +134,10 @@ TEST(PoseTracker, DropsAnUncertainPose_WhenNeverConfirmed) {
     ASSERT_EQ(rig.show(through(kUncertainView, 1)).state, TrackingState::uncertain);
     for (int i = 0; i < 12; ++i) {
       ASSERT_TRUE(rig.show(through(kFirstView, 0)).usable()) << i;
-      EXPECT_TRUE(rig.understoodLate().empty()) << "no later frame confirms the uncertain view";
+      EXPECT_TRUE(rig.takeLateFrames().empty()) << "no later frame confirms the uncertain view";
     }
     ASSERT_TRUE(rig.show(through({0, 0, 640, 480}, 2)).usable());
-    EXPECT_TRUE(rig.understoodLate().empty()) << "the uncertain view was dropped";
+    EXPECT_TRUE(rig.takeLateFrames().empty()) << "the uncertain view was dropped";
   });
 }
 

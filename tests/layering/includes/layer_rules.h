@@ -10,11 +10,10 @@
 
 namespace scantrove::test {
 
-/// The source tree as the rules see it: each file (path from the root) and the headers it names, quotes and
-/// brackets off.
+/// Files (paths from the root) and the headers that each includes, without quotes and brackets.
 using IncludeTree = std::map<std::string, std::vector<std::string>>;
 
-/// The header that a line includes, quotes or brackets off; empty if it includes none.
+/// The header that a line includes, without quotes or brackets; empty: none.
 inline std::optional<std::string> includedHeader(const std::string& line) {
   const auto skipBlanks = [&](std::size_t from) { return line.find_first_not_of(" \t", from); };
   std::size_t at = skipBlanks(0);
@@ -47,10 +46,10 @@ inline IncludeTree readIncludes(const std::filesystem::path& root) {
   return tree;
 }
 
-/// What the rules of the house forbid (docs/architecture.md). Pure functions of an IncludeTree.
+/// The layer rules of docs/architecture.md, as pure functions of an IncludeTree.
 class LayerRules {
  public:
-  /// One sentence for every broken rule, in order of files.
+  /// A sentence for each violation, in order of files.
   [[nodiscard]] static std::vector<std::string> broken(const IncludeTree& tree) {
     std::vector<std::string> findings;
     for (const auto& [file, headers] : tree) {
@@ -61,11 +60,11 @@ class LayerRules {
       }
       checkReach(tree, file, findings);
     }
-    checkMeetingPlace(tree, findings);
+    checkSharedFile(tree, findings);
     return findings;
   }
 
-  /// For each module of core those that it may include, one by one. Lowest first; each arrow goes down.
+  /// The modules that each module of core may include, lowest module first.
   static const std::map<std::string, std::set<std::string>>& allowedArrows() {
     static const std::map<std::string, std::set<std::string>> kArrows{
         {"base", {}},
@@ -108,7 +107,7 @@ class LayerRules {
   }
 
   /// "core/fusion/raycaster.h" -> {"core", "fusion"}; "app/main.cpp" -> {"app", ""}.
-  static std::pair<std::string, std::string> placeOf(const std::string& path) {
+  static std::pair<std::string, std::string> layerOf(const std::string& path) {
     const std::size_t first = path.find('/');
     if (first == std::string::npos) return {"", ""};
     const std::size_t second = path.find('/', first + 1);
@@ -120,8 +119,7 @@ class LayerRules {
     return startsWith(header, "core/") || startsWith(header, "ui/") || startsWith(header, "app/");
   }
 
-  /// Which toolkit a foreign header belongs to. Qt classes of QtCore are listed; any other is taken for a Gui
-  /// one.
+  /// The toolkit of a foreign header. Qt headers that are not listed as QtCore count as QtGui.
   static Toolkit toolkitOf(const std::string& header) {
     static const std::set<std::string> kQtCore{"QBuffer",       "QByteArray",     "QCoreApplication",
                                                "QDateTime",     "QDir",           "QFile",
@@ -146,7 +144,7 @@ class LayerRules {
   }
 
   static std::string whyForbidden(const std::string& file, const std::string& header) {
-    const auto [layer, part] = placeOf(file);
+    const auto [layer, part] = layerOf(file);
     if (isOurs(header)) return whyForbiddenOurs(layer, part, header);
     const Toolkit toolkit = toolkitOf(header);
     if (toolkit == Toolkit::none) return {};
@@ -167,17 +165,17 @@ class LayerRules {
 
   static std::string whyForbiddenOurs(const std::string& layer, const std::string& part,
                                       const std::string& header) {
-    const auto [to_layer, to_part] = placeOf(header);
+    const auto [to_layer, to_part] = layerOf(header);
     static const std::map<std::string, int> kHeight{{"core", 0}, {"ui", 1}, {"app", 2}};
     if (kHeight.at(to_layer) > kHeight.at(layer)) return "dependencies go app -> ui -> core, never back";
-    // `scan` runs all of them.
+    // `scan` may include all modules.
     if (layer != "core" || part == to_part || part == "scan") return {};
     const auto found = allowedArrows().find(part);
     if (found == allowedArrows().end()) return part + " is no module with allowed arrows";
     return found->second.contains(to_part) ? "" : part + " does not stand on " + to_part;
   }
 
-  /// All headers of ours and others that compiling `file` pulls in through ours.
+  /// All headers that `file` includes, directly or through own headers.
   static std::set<std::string> reach(const IncludeTree& tree, const std::string& file) {
     std::set<std::string> seen;
     std::vector<std::string> open{file};
@@ -192,10 +190,10 @@ class LayerRules {
     return seen;
   }
 
-  /// What must not come in through the back door either.
+  /// Checks indirect includes too.
   static void checkReach(const IncludeTree& tree, const std::string& file,
                          std::vector<std::string>& findings) {
-    const auto [layer, part] = placeOf(file);
+    const auto [layer, part] = layerOf(file);
     if (layer != "ui") return;
     const bool without_qt = part == "scene" || part == "common";
     const bool without_vtk = part == "panels" || part == "models" || part == "bridge" || part == "theme";
@@ -210,11 +208,11 @@ class LayerRules {
     }
   }
 
-  /// Qt and VTK meet in one file (a .cpp and its header) of ui/view.
-  static void checkMeetingPlace(const IncludeTree& tree, std::vector<std::string>& findings) {
+  /// Only one file (a .cpp and its header) of ui/view uses both Qt and VTK.
+  static void checkSharedFile(const IncludeTree& tree, std::vector<std::string>& findings) {
     std::set<std::string> stems;
     for (const auto& [file, headers] : tree) {
-      const auto [layer, part] = placeOf(file);
+      const auto [layer, part] = layerOf(file);
       const auto uses = [&, &names = headers](bool vtk) {
         return std::any_of(names.begin(), names.end(), [&](const std::string& header) {
           const Toolkit toolkit = isOurs(header) ? Toolkit::none : toolkitOf(header);

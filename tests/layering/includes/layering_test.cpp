@@ -16,13 +16,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(Layering, TheHouseKeepsItsRules) {
+TEST(Layering, SourceTreeFollowsTheRules) {
   const IncludeTree tree = readIncludes(sourceTree());
   ASSERT_GT(tree.size(), 30U) << "the source tree was not found below " << sourceTree();
   for (const std::string& finding : LayerRules::broken(tree)) ADD_FAILURE() << finding;
 }
 
-TEST(LayerRules, CoreNeverLooksUp) {
+TEST(LayerRules, CoreIncludesNoUiOrApp_AndUiNoApp) {
   EXPECT_THAT(LayerRules::broken({{"core/scan/a.cpp", {"ui/panels/b.h"}}}),
               ElementsAre(HasSubstr("never back")));
   EXPECT_THAT(LayerRules::broken({{"core/base/a.h", {"app/command.h"}}}),
@@ -57,12 +57,12 @@ TEST(LayerRules, ModulesIncludeAllowedModulesOnly) {
               IsEmpty());
 }
 
-TEST(LayerRules, AModuleWithoutAllowedArrowsIsFound) {
+TEST(LayerRules, ReportsAnUnknownModule) {
   EXPECT_THAT(LayerRules::broken({{"core/attic/a.cpp", {"core/base/result.h"}}}),
               ElementsAre(HasSubstr("attic is no module")));
 }
 
-TEST(LayerRules, AllowedArrowsMakeNoCircle) {
+TEST(LayerRules, AllowedIncludesHaveNoCycle) {
   const auto& arrows = LayerRules::allowedArrows();
   std::set<std::string> below;
   while (below.size() < arrows.size()) {
@@ -70,11 +70,11 @@ TEST(LayerRules, AllowedArrowsMakeNoCircle) {
     for (const auto& [module, targets] : arrows) {
       if (std::ranges::includes(below, targets)) below.insert(module);
     }
-    ASSERT_GT(below.size(), before) << "of the modules that are left each stands on another";
+    ASSERT_GT(below.size(), before) << "the remaining modules include each other";
   }
 }
 
-TEST(LayerRules, CoreHasNoToolkitButSqlInTheCatalogue) {
+TEST(LayerRules, CoreUsesNoToolkit_ExceptSqlInTheCatalogue) {
   EXPECT_THAT(LayerRules::broken({{"core/capture/a.cpp", {"QString"}}}),
               ElementsAre(HasSubstr("core knows no Qt")));
   EXPECT_THAT(LayerRules::broken({{"core/catalogue/a.cpp", {"QImage"}}}),
@@ -87,7 +87,7 @@ TEST(LayerRules, CoreHasNoToolkitButSqlInTheCatalogue) {
               IsEmpty());
 }
 
-TEST(LayerRules, QtAndVtkStayApart) {
+TEST(LayerRules, QtAndVtkAreSeparate) {
   EXPECT_THAT(LayerRules::broken({{"ui/scene/a.cpp", {"QColor"}}}),
               testing::Contains(HasSubstr("without Qt")));
   EXPECT_THAT(LayerRules::broken({{"ui/panels/a.cpp", {"vtkActor.h"}}}),
@@ -96,14 +96,14 @@ TEST(LayerRules, QtAndVtkStayApart) {
               IsEmpty());
 }
 
-TEST(LayerRules, NorDoTheyMeetThroughTheBackDoor) {
+TEST(LayerRules, QtAndVtkAreSeparate_InIndirectIncludes) {
   const IncludeTree tree{{"ui/panels/a.cpp", {"ui/scene/b.h"}}, {"ui/scene/b.h", {"vtkActor.h"}}};
   EXPECT_THAT(LayerRules::broken(tree), ElementsAre(HasSubstr("ui/panels/a.cpp reaches vtkActor.h")));
   const IncludeTree other{{"ui/scene/a.cpp", {"ui/theme/b.h"}}, {"ui/theme/b.h", {"QPalette"}}};
   EXPECT_THAT(LayerRules::broken(other), ElementsAre(HasSubstr("ui/scene/a.cpp reaches QPalette")));
 }
 
-TEST(LayerRules, OneFileIsWhereTheyMeet) {
+TEST(LayerRules, OnlyOneFileUsesQtAndVtk) {
   IncludeTree tree{{"ui/view/a.cpp", {"QOpenGLWidget", "vtkActor.h"}},
                    {"ui/view/a.h", {"QOpenGLWidget", "vtkNew.h"}}};
   EXPECT_THAT(LayerRules::broken(tree), IsEmpty());

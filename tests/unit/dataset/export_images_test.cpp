@@ -47,9 +47,9 @@ TEST(ExportedImages, AreNotTurnedByTheirOrientation) {
       const Exported exported(format, withImage([&](const std::string& jpeg) {
                                 return recorded = test::withExif(jpeg, is_big_endian, 6);
                               }));
-      ASSERT_EQ(test::seenByOthers(recorded).size(), cv::Size(480, 640)) << "the input is turned";
+      ASSERT_EQ(test::decodeUpright(recorded).size(), cv::Size(480, 640)) << "the input is turned";
       const std::string written = exported.text(imageOf(exported));
-      EXPECT_EQ(test::seenByOthers(written).size(), cv::Size(640, 480));
+      EXPECT_EQ(test::decodeUpright(written).size(), cv::Size(640, 480));
       EXPECT_EQ(written.substr(0, 3), "\xFF\xD8\xFF") << "no pixel is compressed anew";
       const std::string scan_of_recorded = recorded.substr(recorded.find("\xFF\xDA"));
       EXPECT_TRUE(written.ends_with(scan_of_recorded));
@@ -86,7 +86,7 @@ TEST(ExportedImages, AreRgbOfEightBits) {
       const auto shown = decodeColorImage(
           {reinterpret_cast<const std::uint8_t*>(recorded.data()), recorded.size()}, "recorded");
       ASSERT_TRUE(shown);
-      EXPECT_EQ(cv::norm(test::seenByOthers(written), *shown, cv::NORM_INF), 0);
+      EXPECT_EQ(cv::norm(test::decodeUpright(written), *shown, cv::NORM_INF), 0);
     }
   }
 }

@@ -35,9 +35,9 @@ TEST(WriteKeyFrame, ClearsTheOrientationOfAJpeg) {
   const TemporaryFolder folder;
   const std::string jpeg = encoded(".jpg", frameOf({}).color);
   const std::string turned = test::withExif(jpeg, true, 8);
-  ASSERT_EQ(test::seenByOthers(turned).size(), cv::Size(24, 32));
+  ASSERT_EQ(test::decodeUpright(turned).size(), cv::Size(24, 32));
   const std::string stored = storedImage(folder, "frame.jpg", turned);
-  EXPECT_EQ(test::seenByOthers(stored).size(), cv::Size(32, 24));
+  EXPECT_EQ(test::decodeUpright(stored).size(), cv::Size(32, 24));
   EXPECT_TRUE(stored.ends_with(jpeg.substr(jpeg.find("\xFF\xDA"))));
 }
 
