@@ -32,7 +32,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kTick_ms = 10;
-constexpr double kGap_ms = 100;  ///< from which a person notices
+constexpr double kGap_ms = 100;  ///< noticeable from here on
 
 /// Records the time of each kind of event, by the class of its receiver.
 class TimedApplication : public QApplication {
