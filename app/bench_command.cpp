@@ -47,7 +47,7 @@ Result<void> bench(ScanRequest request, bool json) {
 
 }  // namespace
 
-void addBenchCommand(CLI::App& app, CommandOutcome& outcome) {
+void addBenchCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<BenchCommand>();
   command->options.source = "demo";
   CLI::App* sub =
@@ -58,10 +58,10 @@ void addBenchCommand(CLI::App& app, CommandOutcome& outcome) {
   sub->add_flag("--kernels", command->kernels,
                 "also time each OpenCL kernel (runs them one at a time, which slows the scan)");
   command->options.addTo(*sub);
-  sub->callback([command, &outcome] {
+  sub->callback([command, &job] {
     ScanRequest request = command->options.toRequest();
     request.profile_kernels = command->kernels;
-    if (const auto done = bench(std::move(request), command->json); !done) outcome.failWith(done.error());
+    job = [command, request] { return bench(request, command->json); };
   });
 }
 

@@ -5,17 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "app/command_job.h"
 #include "core/base/result.h"
 #include "core/base/text.h"
 
 namespace scantrove {
-
-/// Exit codes of the program. Scripts rely on them.
-enum ExitCode : int {
-  kDone = 0,
-  kJobFailed = 1,   ///< the command failed; one message on stderr
-  kWrongUsage = 2,  ///< the command line is invalid
-};
 
 /// A name from a file or folder as part of one line: without control characters and line feeds.
 [[nodiscard]] inline std::string inLine(std::string_view name) {
@@ -24,26 +18,15 @@ enum ExitCode : int {
   return text;
 }
 
-/// Receives the exit code from a command's callback.
-struct CommandOutcome {
-  int exit_code = kDone;
-
-  /// Prints `error` on stderr and sets the exit code to kJobFailed.
-  void failWith(const Error& error) {
-    std::cerr << "scantrove: " << forTerminal(error.message()) << '\n';
-    exit_code = kJobFailed;
-  }
-};
-
-/// Each adds one subcommand. Its callback runs the command and fills `outcome`.
-void addScanCommand(CLI::App& app, CommandOutcome& outcome);
-void addSessionCommand(CLI::App& app, CommandOutcome& outcome);
-void addExportCommand(CLI::App& app, CommandOutcome& outcome);
-void addRecordCommand(CLI::App& app, CommandOutcome& outcome);
-void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome);
-void addDevicesCommand(CLI::App& app, CommandOutcome& outcome);
-void addParamsCommand(CLI::App& app, CommandOutcome& outcome);
-void addObjectsCommand(CLI::App& app, CommandOutcome& outcome);
-void addBenchCommand(CLI::App& app, CommandOutcome& outcome);
+/// Each adds one subcommand. Its callback sets `job`, or throws CLI::ValidationError (wrong usage).
+void addScanCommand(CLI::App& app, CommandJob& job);
+void addSessionCommand(CLI::App& app, CommandJob& job);
+void addExportCommand(CLI::App& app, CommandJob& job);
+void addRecordCommand(CLI::App& app, CommandJob& job);
+void addEvaluateCommand(CLI::App& app, CommandJob& job);
+void addDevicesCommand(CLI::App& app, CommandJob& job);
+void addParamsCommand(CLI::App& app, CommandJob& job);
+void addObjectsCommand(CLI::App& app, CommandJob& job);
+void addBenchCommand(CLI::App& app, CommandJob& job);
 
 }  // namespace scantrove

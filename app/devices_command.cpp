@@ -123,7 +123,7 @@ void printText(const Found& found) {
 
 }  // namespace
 
-void addDevicesCommand(CLI::App& app, CommandOutcome&) {
+void addDevicesCommand(CLI::App& app, CommandJob& job) {
   auto json = std::make_shared<bool>(false);
   auto root = std::make_shared<std::string>("/");
   CLI::App* sub =
@@ -132,10 +132,13 @@ void addDevicesCommand(CLI::App& app, CommandOutcome&) {
   sub->add_option("--root", *root,
                   "read USB devices from DIR/sys and DIR/dev (for a host mounted in a container)")
       ->type_name("DIR");
-  sub->callback([json, root] {
-    const KernelCacheUse kernels;
-    const Found found{listDevices(), listCameras(), examineCameras(*root)};
-    *json ? printFoundAsJson(found) : printText(found);
+  sub->callback([json, root, &job] {
+    job = [json, root]() -> Result<void> {
+      const KernelCacheUse kernels;
+      const Found found{listDevices(), listCameras(), examineCameras(*root)};
+      *json ? printFoundAsJson(found) : printText(found);
+      return {};
+    };
   });
 }
 

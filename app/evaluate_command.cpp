@@ -44,40 +44,49 @@ Result<Json> evaluateTrajectory(const EvaluateCommand& command) {
       {"rpe_deg", toJson(rpe.rotation_deg)}};
 }
 
-Result<Json> evaluateSegmentations(const EvaluateCommand& command) {
+/// Throws CLI::ValidationError.
+void checkSegmentationArguments(const EvaluateCommand& command) {
   const std::size_t judged = command.scans.empty() ? 1 : command.scans.size();
   if (command.truths.size() != judged || command.estimate.empty() == command.scans.empty()) {
     throw CLI::ValidationError("segmentation",
                                "give --estimate DIR --truth DIR, or --scan DIR --truth DIR (each scan "
                                "with its truth)");
   }
+}
+
+Result<Json> evaluateSegmentations(const EvaluateCommand& command) {
   if (command.scans.empty())
     return evaluateEstimate(command.estimate, command.truths.front(), command.metrics);
   std::vector<JudgedScan> scans;
-  for (std::size_t i = 0; i < judged; ++i) scans.push_back({command.scans[i], command.truths[i]});
+  for (std::size_t i = 0; i < command.scans.size(); ++i)
+    scans.push_back({command.scans[i], command.truths[i]});
   return evaluateScans(scans, command.metrics);
 }
 
+using ArgumentCheck = void (*)(const EvaluateCommand&);
 using Evaluation = Result<Json> (*)(const EvaluateCommand&);
 
 CLI::App* addEvaluation(CLI::App& parent, const char* name, const char* help,
-                        const std::shared_ptr<EvaluateCommand>& command, CommandOutcome& outcome,
-                        Evaluation evaluate) {
+                        const std::shared_ptr<EvaluateCommand>& command, CommandJob& job, Evaluation evaluate,
+                        ArgumentCheck check = nullptr) {
   CLI::App* sub = parent.add_subcommand(name, help);
-  sub->callback([command, &outcome, evaluate] {
-    const auto json = evaluate(*command);
-    if (!json) return outcome.failWith(json.error());
-    std::cout << json->dump(1) << '\n';
+  sub->callback([command, &job, check, evaluate] {
+    if (check != nullptr) check(*command);
+    job = [command, evaluate]() -> Result<void> {
+      const auto json = evaluate(*command);
+      if (!json) return fail(json.error());
+      std::cout << json->dump(1) << '\n';
+      return {};
+    };
   });
   return sub;
 }
 
-void addTrajectory(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command,
-                   CommandOutcome& outcome) {
+void addTrajectory(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command, CommandJob& job) {
   CLI::App* sub =
       addEvaluation(parent, "trajectory",
                     "ATE and RPE of a trajectory: a TUM file, a .log file, or the folder of a recording",
-                    command, outcome, evaluateTrajectory);
+                    command, job, evaluateTrajectory);
   sub->add_option("--estimate", command->estimate, "estimated trajectory, such as that of a scan")
       ->required()
       ->type_name("PATH");
@@ -95,8 +104,7 @@ CLI::Option* addFolders(CLI::App& command, const char* option, std::vector<std::
       ->type_name("DIR");
 }
 
-void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command,
-                     CommandOutcome& outcome) {
+void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command, CommandJob& job) {
   CLI::App* sub = addEvaluation(
       parent, "segmentation",
       "Boundary error (eq. 4.1), boundary precision, recall and F, coverage of small and large instances.\n"
@@ -107,7 +115,7 @@ void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& c
       "n is the number of frames merged so far, including that one; lost and skipped frames do not count.\n"
       "Both segmentations use the surface fused from the same n frames.\n"
       "A scan gives one image per n. Repeat --scan and --truth to average over several scans.",
-      command, outcome, evaluateSegmentations);
+      command, job, evaluateSegmentations, checkSegmentationArguments);
   sub->add_option("--estimate", command->estimate, "a folder of label PNGs")->type_name("DIR");
   addFolders(*sub, "--scan", command->scans, "results of a scan with --label-maps; may be repeated");
   addFolders(*sub, "--truth", command->truths,
@@ -126,8 +134,7 @@ Result<Json> evaluateCatalogue(const EvaluateCommand& command) {
   return evaluateCatalogueOf(command.scan, command.truth, command.database);
 }
 
-void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command,
-                  CommandOutcome& outcome) {
+void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command, CommandJob& job) {
   CLI::App* sub = addEvaluation(
       parent, "catalogue",
       "Purity and completeness of the objects that a scan added to its catalogue, and a verdict for each.\n"
@@ -139,7 +146,7 @@ void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& comm
       "Verdicts: whole (one complete object), part (of one object), merger (of several objects),\n"
       "background (mostly background).\n"
       "Only views from the newest scan count.",
-      command, outcome, evaluateCatalogue);
+      command, job, evaluateCatalogue);
   sub->add_option("--scan", command->scan, "results of a scan")->required()->type_name("DIR");
   sub->add_option("--truth", command->truth,
                   "a recording with frame-NNNNNN.instance.png, and instances.json that says which instances "
@@ -152,13 +159,13 @@ void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& comm
 
 }  // namespace
 
-void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome) {
+void addEvaluateCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<EvaluateCommand>();
   CLI::App* evaluate = app.add_subcommand("evaluate", "Measure results against ground truth (JSON)");
   evaluate->require_subcommand(1);
-  addTrajectory(*evaluate, command, outcome);
-  addSegmentation(*evaluate, command, outcome);
-  addCatalogue(*evaluate, command, outcome);
+  addTrajectory(*evaluate, command, job);
+  addSegmentation(*evaluate, command, job);
+  addCatalogue(*evaluate, command, job);
 }
 
 }  // namespace scantrove

@@ -80,7 +80,7 @@ Result<void> exportSession(const ExportCommand& command) {
 
 }  // namespace
 
-void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
+void addExportCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<ExportCommand>();
   CLI::App* sub = app.add_subcommand("export", "Export a data set of a scan or a catalogue");
   sub->add_option("DIR", command->folder, "folder of the session");
@@ -99,7 +99,7 @@ void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
                 "with --format mesh: centre each object at the origin and write the offset to a file");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
-  sub->callback([command, &outcome] {
+  sub->callback([command, &job] {
     const bool is_catalogue = !command->database.empty();
     if (is_catalogue != command->folder.empty()) {
       throw CLI::ValidationError("DIR", "is a session, --database a catalogue. Give one of them");
@@ -112,9 +112,10 @@ void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
       throw CLI::ValidationError("--centred", "needs --format mesh");
     if (!is_catalogue && command->format.empty())
       throw CLI::ValidationError("--format", "is required to export a session");
-    const CoreApplication qt;
-    const auto done = is_catalogue ? exportObjects(*command) : exportSession(*command);
-    if (!done) outcome.failWith(done.error());
+    job = [command, is_catalogue] {
+      const CoreApplication qt;
+      return is_catalogue ? exportObjects(*command) : exportSession(*command);
+    };
   });
 }
 

@@ -1,11 +1,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
 #include <system_error>
 
-#include "app/argument_check.h"
-#include "app/command.h"
-#include "app/window_command.h"
+#include "app/command_line.h"
 #include "app/window_main.h"
 #include "core/base/heap.h"
 #include "core/base/log.h"
@@ -14,14 +15,6 @@
 
 namespace scantrove {
 namespace {
-
-/// Options before a command belong to the window and would be ignored.
-void refuseStrayOptions(const CLI::App& app) {
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->count() > 0)
-      throw CLI::ExtrasError(app.get_name(), {option->get_name() + " must follow the command"});
-  }
-}
 
 /// A failed write of the output, for example on a full disk, is a failure of the command.
 int flushOutput(int exit_code) {
@@ -38,41 +31,20 @@ int run(int argc, char** argv) {
   useSingleArena();
   initializeLog();
   pinDeviceThreads();
-  CommandOutcome outcome;
-  WindowCommand window;
-  WindowOptions window_options;
-  CLI::App app{
-      "Scan a scene with an RGB-D camera and collect its objects in a catalogue.\n"
-      "Without a command: opens the window, and SOURCE in it.",
-      "scantrove"};
-  app.set_version_flag("--version", std::string("scantrove ") + SCANTROVE_VERSION);
-  window.addTo(app);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return "scantrove: " + forTerminal(error.what(), 400) + "\nRun with --help for more information.\n";
-  });
-  app.require_subcommand(0, 1);
-  addScanCommand(app, outcome);
-  addSessionCommand(app, outcome);
-  addExportCommand(app, outcome);
-  addRecordCommand(app, outcome);
-  addEvaluateCommand(app, outcome);
-  addObjectsCommand(app, outcome);
-  addBenchCommand(app, outcome);
-  addDevicesCommand(app, outcome);
-  addParamsCommand(app, outcome);
-  for (CLI::App* command : app.get_subcommands({})) {
-    command->preparse_callback([&app](std::size_t) { refuseStrayOptions(app); });
+  const CommandLine line = parseCommandLine(argc, argv);
+  if (line.exit_code) {
+    std::cout << line.out;
+    std::cerr << line.err;
+    return *line.exit_code;
   }
-  refuseUnusableArguments(app);
-  try {
-    app.parse(argc, argv);
-    if (app.get_subcommands().empty()) window_options = window.toOptions();
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kWrongUsage;
+  if (!line.job) {
+    int own_arguments = 1;  // hides our options from Qt
+    return runWindow(own_arguments, argv, line.window);
   }
-  if (!app.get_subcommands().empty()) return outcome.exit_code;
-  int own_arguments = 1;  // hides our options from Qt
-  return runWindow(own_arguments, argv, window_options);
+  const Result<void> done = line.job();
+  if (done) return kDone;
+  std::cerr << "scantrove: " << forTerminal(done.error().message()) << '\n';
+  return kJobFailed;
 }
 
 }  // namespace

@@ -170,28 +170,29 @@ Result<void> remove(ObjectDatabase& database, const ObjectsCommand& command) {
 using ObjectsAction = Result<void> (*)(ObjectDatabase&, const ObjectsCommand&);
 
 CLI::App* addAction(CLI::App& parent, const std::string& name, const std::string& help,
-                    const std::shared_ptr<ObjectsCommand>& command, CommandOutcome& outcome,
-                    ObjectsAction action) {
+                    const std::shared_ptr<ObjectsCommand>& command, CommandJob& job, ObjectsAction action) {
   CLI::App* sub = parent.add_subcommand(name, help);
   sub->add_option("--database", command->database, "the catalogue")->required()->type_name("DB");
   sub->add_flag("--json", command->json, "as JSON");
-  sub->callback([command, &outcome, action] {
-    const CoreApplication qt;
-    auto database = openExisting(command->database);
-    if (!database) return outcome.failWith(database.error());
-    if (const auto done = action(**database, *command); !done) outcome.failWith(done.error());
+  sub->callback([command, &job, action] {
+    job = [command, action]() -> Result<void> {
+      const CoreApplication qt;
+      auto database = openExisting(command->database);
+      if (!database) return fail(database.error());
+      return action(**database, *command);
+    };
   });
   return sub;
 }
 
 }  // namespace
 
-void addObjectsCommand(CLI::App& app, CommandOutcome& outcome) {
+void addObjectsCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<ObjectsCommand>();
   CLI::App* objects = app.add_subcommand("objects", "List and edit the objects of a catalogue");
   objects->require_subcommand(1);
   const auto add = [&](const char* name, const char* help, ObjectsAction action) {
-    return addAction(*objects, name, help, command, outcome, action);
+    return addAction(*objects, name, help, command, job, action);
   };
   const auto take_object = [&](CLI::App* sub, const char* what) {
     sub->add_option("OBJECT", command->object, what)->required();

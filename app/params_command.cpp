@@ -58,7 +58,7 @@ void printParamsAsJson(const ScanParams& params) {
 
 }  // namespace
 
-void addParamsCommand(CLI::App& app, CommandOutcome&) {
+void addParamsCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<ParamsCommand>();
   CLI::App* sub = app.add_subcommand("params", "List the parameters: value, unit, range, meaning");
   sub->add_option("--config", command->config, "apply this TOML file first")->type_name("FILE");
@@ -68,9 +68,11 @@ void addParamsCommand(CLI::App& app, CommandOutcome&) {
       ->allow_extra_args(false)
       ->type_name("key=value");
   sub->add_flag("--json", command->json, "as JSON");
-  sub->callback([command] {
-    const ScanParams params = paramsFrom(command->config, command->settings);
-    command->json ? printParamsAsJson(params) : printTable(params);
+  sub->callback([command, &job] {
+    job = [command, params = paramsFrom(command->config, command->settings)]() -> Result<void> {
+      command->json ? printParamsAsJson(params) : printTable(params);
+      return {};
+    };
   });
 }
 

@@ -56,7 +56,7 @@ Result<void> record(const RecordCommand& command, const SourceOptions& options) 
 
 }  // namespace
 
-void addRecordCommand(CLI::App& app, CommandOutcome& outcome) {
+void addRecordCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<RecordCommand>();
   CLI::App* sub = app.add_subcommand(
       "record",
@@ -67,9 +67,8 @@ void addRecordCommand(CLI::App& app, CommandOutcome& outcome) {
       ->required()
       ->type_name("DIR");
   command->options.addSourceTo(*sub);
-  sub->callback([command, &outcome] {
-    if (const auto done = record(*command, command->options.toSourceOptions()); !done)
-      outcome.failWith(done.error());
+  sub->callback([command, &job] {
+    job = [command, options = command->options.toSourceOptions()] { return record(*command, options); };
   });
 }
 

@@ -83,7 +83,7 @@ Result<void> scan(const ScanArguments& command, ScanRequest request) {
 
 }  // namespace
 
-void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
+void addScanCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<ScanArguments>();
   CLI::App* sub = app.add_subcommand("scan", "Scan a recording or a camera without a window");
   sub->add_option("SOURCE", command->options.source, kSourceHelp)->required()->check(notEmpty("SOURCE"));
@@ -105,12 +105,12 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
                 "replace result files in DIR that no scan wrote; other files stay")
       ->excludes("--resume");
   command->options.addTo(*sub);
-  sub->callback([command, &outcome] {
+  sub->callback([command, &job] {
     if (command->out.empty() == command->resume.empty()) {
       throw CLI::ValidationError("--out",
                                  "is the folder of a new scan, --resume of an earlier one. Give one of them");
     }
-    if (const auto done = scan(*command, command->options.toRequest()); !done) outcome.failWith(done.error());
+    job = [command, request = command->options.toRequest()] { return scan(*command, request); };
   });
 }
 

@@ -17,26 +17,28 @@ namespace {
 
 using SessionAction = std::function<Result<void>(OpenSession&, const SessionArguments&)>;
 
+Result<void> runAction(const SessionArguments& arguments, const SessionAction& action) {
+  const KernelCacheUse kernels;
+  const CoreApplication qt;
+  auto session = OpenSession::open(arguments.folder, arguments.device);
+  if (!session) return fail(session.error());
+  for (const std::string& damage : (*session)->damages())
+    std::cerr << "scantrove: " << inLine(damage) << '\n';
+  if (arguments.without_catalogue) (*session)->omitCatalogue();
+  SCANTROVE_TRY(action(**session, arguments));
+  return (*session)->findDisturbance();
+}
+
 CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
-                    const std::shared_ptr<SessionArguments>& arguments, CommandOutcome& outcome,
+                    const std::shared_ptr<SessionArguments>& arguments, CommandJob& job,
                     SessionAction action) {
   CLI::App* sub = parent.add_subcommand(name, help);
   sub->add_option("DIR", arguments->folder, "folder of the session")->required();
   sub->add_flag("--json", arguments->json, "as JSON");
   sub->add_option("--device", arguments->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
-  sub->callback([arguments, &outcome, action = std::move(action)] {
-    const KernelCacheUse kernels;
-    const CoreApplication qt;
-    auto session = OpenSession::open(arguments->folder, arguments->device);
-    if (!session) return outcome.failWith(session.error());
-    for (const std::string& damage : (*session)->damages())
-      std::cerr << "scantrove: " << inLine(damage) << '\n';
-    if (arguments->without_catalogue) (*session)->omitCatalogue();
-    const auto done = action(**session, *arguments);
-    if (!done) return outcome.failWith(done.error());
-    if (const auto undisturbed = (*session)->findDisturbance(); !undisturbed)
-      outcome.failWith(undisturbed.error());
+  sub->callback([arguments, &job, action = std::move(action)] {
+    job = [arguments, action] { return runAction(*arguments, action); };
   });
   return sub;
 }
@@ -49,12 +51,12 @@ SessionAction edit(OperationKind kind) {
 
 }  // namespace
 
-void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
+void addSessionCommand(CLI::App& app, CommandJob& job) {
   auto arguments = std::make_shared<SessionArguments>();
   CLI::App* parent = app.add_subcommand("session", "Show sessions and edit their regions");
   parent->require_subcommand(1);
   const auto add = [&](const char* name, const char* help, SessionAction action) {
-    return addAction(*parent, name, help, arguments, outcome, std::move(action));
+    return addAction(*parent, name, help, arguments, job, std::move(action));
   };
   const auto addRegions = [&](CLI::App* sub) {
     sub->add_option("R", arguments->regions, "numbers of regions")->required();
@@ -73,8 +75,8 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
                   "change the session only, not its catalogue");
     return sub;
   };
-  addSessionList(*parent, outcome);
-  addSessionRefine(*parent, outcome);
+  addSessionList(*parent, job);
+  addSessionRefine(*parent, job);
   add("show", "Summary: frames, map, regions, operations", showSession);
   add("regions", "List all regions", listRegions);
   CLI::App* at = add("at", "Show the region at a pixel of a frame", showAt);

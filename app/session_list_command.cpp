@@ -75,14 +75,16 @@ Result<void> listAll(const SessionListCommand& command) {
 
 }  // namespace
 
-void addSessionList(CLI::App& parent, CommandOutcome& outcome) {
+void addSessionList(CLI::App& parent, CommandJob& job) {
   auto command = std::make_shared<SessionListCommand>();
   CLI::App* sub = parent.add_subcommand("list", "List the sessions in a folder, newest first");
   sub->add_option("DIR", command->folder, "folder with sessions (default: $XDG_DATA_HOME/scantrove/scans)");
   sub->add_flag("--json", command->json, "as JSON");
-  sub->callback([command, &outcome] {
-    const CoreApplication qt;
-    if (const auto done = listAll(*command); !done) outcome.failWith(done.error());
+  sub->callback([command, &job] {
+    job = [command] {
+      const CoreApplication qt;
+      return listAll(*command);
+    };
   });
 }
 

@@ -4,6 +4,6 @@
 namespace scantrove {
 
 /// Adds `session list`; `parent` is the `session` command.
-void addSessionList(CLI::App& parent, CommandOutcome& outcome);
+void addSessionList(CLI::App& parent, CommandJob& job);
 
 }  // namespace scantrove

@@ -59,7 +59,7 @@ Result<void> refine(const SessionRefineCommand& command) {
 
 }  // namespace
 
-void addSessionRefine(CLI::App& parent, CommandOutcome& outcome) {
+void addSessionRefine(CLI::App& parent, CommandJob& job) {
   auto command = std::make_shared<SessionRefineCommand>();
   CLI::App* sub = parent.add_subcommand(
       "refine", "Refine the objects of a scan whose refinement was skipped or interrupted");
@@ -67,9 +67,7 @@ void addSessionRefine(CLI::App& parent, CommandOutcome& outcome) {
   sub->add_flag("--json", command->json, "as JSON");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
-  sub->callback([command, &outcome] {
-    if (const auto done = refine(*command); !done) outcome.failWith(done.error());
-  });
+  sub->callback([command, &job] { job = [command] { return refine(*command); }; });
 }
 
 }  // namespace scantrove

@@ -4,6 +4,6 @@
 namespace scantrove {
 
 /// Adds `session refine`, which does a refinement that was skipped or interrupted.
-void addSessionRefine(CLI::App& parent, CommandOutcome& outcome);
+void addSessionRefine(CLI::App& parent, CommandJob& job);
 
 }  // namespace scantrove

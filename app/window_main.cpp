@@ -1,5 +1,5 @@
 #include "app/window_main.h"
-#include "app/command.h"
+#include "app/command_job.h"
 #include "app/kernel_cache_use.h"
 
 #include <QApplication>
@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "core/base/text.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/scan_controller.h"

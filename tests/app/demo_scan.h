@@ -29,15 +29,15 @@ class DemoScanTest : public testing::Test {
 
   DemoScanTest() { std::filesystem::copy(demoScan(), scan_, std::filesystem::copy_options::recursive); }
 
-  /// `scantrove session COMMAND SCAN ...`
-  Finished tell(std::vector<std::string> arguments) const {
+  /// Runs `scantrove session COMMAND SCAN ...`.
+  Finished session(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "session");
     arguments.insert(arguments.begin() + 2, scan_);
     return scantrove(arguments);
   }
-  /// What `session regions` prints as JSON.
+  /// The output of `session regions --json`.
   [[nodiscard]] std::string regionTable() const {
-    const Finished run = tell({"regions", "--json"});
+    const Finished run = session({"regions", "--json"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return run.out;
   }

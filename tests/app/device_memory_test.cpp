@@ -9,10 +9,10 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// The processor as an OpenCL device with 1 GB of memory (PoCL).
+/// PoCL: the processor as an OpenCL device with 1 GB of memory.
 const ChildProcess::Environment kSmallDevice{{"POCL_MEMORY_LIMIT", "1"}, {"SCANTROVE_DEVICE", "pthread"}};
 
-TEST(DeviceMemory, AMapThatCannotFitIsRefusedWithWhatWouldFit) {
+TEST(DeviceMemory, RefusesTooSmallVoxels_AndNamesASizeThatFits) {
   const TemporaryFolder folder;
   const Finished run = scantrove(
       {"scan", "demo", "--frames", "3", "--out", folder / "out", "--set", "fusion.voxel_size_m=0.001"},
@@ -23,13 +23,13 @@ TEST(DeviceMemory, AMapThatCannotFitIsRefusedWithWhatWouldFit) {
   EXPECT_FALSE(fs::exists(folder / "out/report.json"));
 }
 
-/// More map than the device has room for.
+/// Arguments of a scan whose map exceeds the device's memory.
 std::vector<std::string> largeScan(const fs::path& out) {
   return {"scan",    "demo:room", "--stride", "10", "--frames", "40",
           "--poses", "given",     "--out",    out,  "--set",    "fusion.voxel_size_m=0.0027"};
 }
 
-TEST(DeviceMemory, WhatTheDeviceHasNoRoomForGoesToDisk) {
+TEST(DeviceMemory, MovesPartsOfTheMapToDisk_WhenTheDeviceIsFull) {
   const TemporaryFolder folder;
   const fs::path out = folder / "out";
   const Finished run = scantrove(largeScan(out), kSmallDevice);
@@ -41,7 +41,7 @@ TEST(DeviceMemory, WhatTheDeviceHasNoRoomForGoesToDisk) {
   EXPECT_GT(report["map"]["disk_megabytes"], 1);
 }
 
-TEST(DeviceMemory, RunningOutInTheMiddleKeepsWhatWasScanned) {
+TEST(DeviceMemory, WritesResultsUntilTheFailure_WhenDeviceAndDiskAreFull) {
   const TemporaryFolder folder;
   const fs::path out = folder / "out";
   ChildProcess::Environment no_disk = kSmallDevice;

@@ -13,7 +13,7 @@ void writeLabels(const std::filesystem::path& path, int cut) {
   cv::imwrite(path.string(), labels);
 }
 
-TEST(EvaluateTrajectory, OfHandMadeFiles) {
+TEST(EvaluateTrajectory, MeasuresAteAndRpeOfTumFiles) {
   const TemporaryFolder folder;
   const auto truth = folder.write(
       "truth.txt", "# t x y z qx qy qz qw\n0 -1 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n9 0 0 0 0 0 0 1\n");
@@ -26,7 +26,7 @@ TEST(EvaluateTrajectory, OfHandMadeFiles) {
   EXPECT_NEAR(json["rpe_deg"]["max"], 0, 1e-9);
 }
 
-TEST(EvaluateTrajectory, TakesTheFolderOfARecording) {
+TEST(EvaluateTrajectory, AcceptsARecordingAsTruth) {
   const TemporaryFolder folder;
   folder.write("scene/frame-000000.pose.txt", "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
   folder.write("scene/frame-000003.pose.txt", "1 0 0 1\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
@@ -36,7 +36,7 @@ TEST(EvaluateTrajectory, TakesTheFolderOfARecording) {
   EXPECT_NEAR(json["ate_m"]["rmse"], 0, 1e-9);
 }
 
-TEST(EvaluateTrajectory, SaysWhatIsWrong) {
+TEST(EvaluateTrajectory, RefusesMissingUnmatchedAndBrokenFiles) {
   const TemporaryFolder folder;
   const auto truth = folder.write("truth.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
   const auto late = folder.write("late.txt", "50 0 0 0 0 0 0 1\n51 1 0 0 0 0 0 1\n");
@@ -49,7 +49,7 @@ TEST(EvaluateTrajectory, SaysWhatIsWrong) {
   expectJobFailure(evaluate(broken), {"broken.txt, line 2"});
 }
 
-TEST(EvaluateSegmentation, OfHandMadeImages) {
+TEST(EvaluateSegmentation, MeasuresBoundariesAndCoverageOfLabelImages) {
   const TemporaryFolder folder;
   writeLabels(folder / "estimate/000005.png", 7);
   writeLabels(folder / "estimate/000006.png", 5);
@@ -69,21 +69,22 @@ TEST(EvaluateSegmentation, OfHandMadeImages) {
   EXPECT_EQ(strict["each"][0]["boundary_f"], 0);
 }
 
-/// A scan of 22 frames, 30 on, 4 x 10 pixels, whose truth is cut in the middle. Single frames are cut two
-/// columns too far (error 1.8), merged ones from the third frame on where they should be, final ones always.
+/// A scan of frames 30 to 51, 4 x 10 pixels; the true boundary is in the middle. Segments of single frames
+/// have it two columns too far right (error 1.8), merged labels are right from the third frame on, final
+/// labels always.
 void writeScan(const std::filesystem::path& scan, const std::filesystem::path& truth) {
   for (int i = 0; i < 22; ++i) {
     const std::string name = "0000" + std::to_string(30 + i) + ".png";
     writeLabels(scan / "segments" / name, 7);
     writeLabels(scan / "labels" / name, i < 2 ? 7 : 5);
     writeLabels(scan / "labels-final" / name, 5);
-    if (i == 5) continue;  // not annotated
+    if (i == 5) continue;  // a frame without truth
     writeLabels(truth / ("frame-0000" + std::to_string(30 + i) + ".instance.png"), 5);
     writeLabels(truth / ("frame-0000" + std::to_string(30 + i) + ".depth.png"), 1);
   }
 }
 
-TEST(EvaluateSegmentation, OfAScanWithItsTruth) {
+TEST(EvaluateSegmentation, ComparesSingleMergedAndFinalLabelsOfAScan) {
   const TemporaryFolder folder;
   writeScan(folder / "scan", folder / "truth");
   const auto json =
@@ -94,9 +95,9 @@ TEST(EvaluateSegmentation, OfAScanWithItsTruth) {
   EXPECT_EQ(json["final"]["boundary_error"], 0);
   EXPECT_NEAR(json["ratio"], 2.0 / 21, 1e-6);
   EXPECT_EQ(json["ratio_final"], 0);
-  EXPECT_EQ(json["single"]["large"]["instances"], 42) << "half of an image each, and none is small";
+  EXPECT_EQ(json["single"]["large"]["instances"], 42) << "two large instances per image";
   EXPECT_EQ(json["single"]["large"]["over_half"], 1);
-  ASSERT_EQ(json["over_frames"].size(), 19U) << "the first 20 frames, but for the one without truth";
+  ASSERT_EQ(json["over_frames"].size(), 19U) << "the first 20 frames without the one that has no truth";
   EXPECT_EQ(json["over_frames"][0]["n"], 1);
   EXPECT_NEAR(json["over_frames"][1]["ratio"], 1, 1e-6);
   EXPECT_EQ(json["over_frames"][2]["ratio"], 0);
@@ -104,7 +105,7 @@ TEST(EvaluateSegmentation, OfAScanWithItsTruth) {
   EXPECT_EQ(json["over_frames"][5]["images"], 1);
 }
 
-TEST(EvaluateSegmentation, OfSeveralScansTogether) {
+TEST(EvaluateSegmentation, AveragesOverSeveralScans) {
   const TemporaryFolder folder;
   writeScan(folder / "a", folder / "truth a");
   writeScan(folder / "b", folder / "truth b");
@@ -118,22 +119,16 @@ TEST(EvaluateSegmentation, OfSeveralScansTogether) {
   EXPECT_NEAR(json["over_frames"][0]["ratio"], 0.5, 1e-6);
 }
 
-TEST(EvaluateSegmentation, WantsAScanOrAnEstimateWithItsTruth) {
+TEST(EvaluateSegmentation, RefusesAScanWithoutFinalLabels) {
   const TemporaryFolder folder;
   writeScan(folder / "scan", folder / "truth");
-  const auto evaluate = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"evaluate", "segmentation", "--truth", (folder / "truth").string()});
-    return scantrove(arguments);
-  };
-  const std::string scan = folder / "scan";
-  expectWrongUsage(evaluate({}), {"--scan"});
-  expectWrongUsage(evaluate({"--scan", scan, "--estimate", scan}), {"--scan"});
-  expectWrongUsage(evaluate({"--scan", scan, "--scan", scan}), {"each scan with its truth"});
   std::filesystem::remove_all(folder / "scan/labels-final");
-  expectJobFailure(evaluate({"--scan", scan}), {scan, "labels-final", "--label-maps"});
+  const std::string scan = folder / "scan";
+  expectJobFailure(scantrove({"evaluate", "segmentation", "--scan", scan, "--truth", folder / "truth"}),
+                   {scan, "labels-final", "--label-maps"});
 }
 
-TEST(EvaluateSegmentation, SaysWhatIsWrong) {
+TEST(EvaluateSegmentation, RefusesMissingUnmatchedAndBrokenImages) {
   const TemporaryFolder folder;
   writeLabels(folder / "estimate/000005.png", 7);
   writeLabels(folder / "truth/000009.png", 7);

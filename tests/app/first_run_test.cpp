@@ -7,7 +7,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(FirstRun, SaysThatItPreparesTheProcessorAndNothingOfTheCompiler) {
+TEST(FirstRun, AnnouncesTheKernelCompilationOnce_WithoutCompilerOutput) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 1);
   const std::string cache = folder / "cache";
@@ -20,7 +20,7 @@ TEST(FirstRun, SaysThatItPreparesTheProcessorAndNothingOfTheCompiler) {
   };
   const std::string first = scan("first");
   EXPECT_THAT(first, HasSubstr("Preparing the OpenCL device (once).\n"));
-  EXPECT_EQ(first.find("Preparing"), first.rfind("Preparing")) << "said more than once";
+  EXPECT_EQ(first.find("Preparing"), first.rfind("Preparing")) << "printed more than once";
   EXPECT_THAT(first, Not(HasSubstr("generated")));
   EXPECT_THAT(scan("second"), Not(HasSubstr("Preparing")));
 }

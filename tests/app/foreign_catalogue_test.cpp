@@ -1,4 +1,4 @@
-// A session meets another catalogue than the one that it was made with: nothing of that one is touched.
+// A session with another catalogue than its own leaves the objects of that catalogue unchanged.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,11 +16,11 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-/// More than a scan of the demo finds: each of its numbers is a stranger's there.
-constexpr int kStrangers = 40;
-constexpr const char* kSentence = "is another one than the session";
+/// More objects than a scan of the demo finds: each id of the session is also a foreign object's id.
+constexpr int kForeignObjects = 40;
+constexpr const char* kOtherCatalogue = "is another one than the session";
 
-ObjectView strangersView(int seed) {
+ObjectView foreignView(int seed) {
   cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
   ObjectView view;
   view.box_px = {20, 20, 40, 30};
@@ -37,31 +37,31 @@ void makeForeignCatalogue(const fs::path& file) {
   const QtMainThread qt;
   const auto database = ObjectDatabase::open(file);
   ASSERT_TRUE(database) << database.error().message();
-  for (int i = 1; i <= kStrangers; ++i) {
-    const auto object = (*database)->addObject(strangersView(i));
+  for (int i = 1; i <= kForeignObjects; ++i) {
+    const auto object = (*database)->addObject(foreignView(i));
     ASSERT_TRUE(object);
-    if (i % 2 == 0) continue;  // some that nobody has named
-    ASSERT_TRUE((*database)->nameByUser(object->id, "stranger " + std::to_string(i)));
+    if (i % 2 == 0) continue;  // half of them have no name by a user
+    ASSERT_TRUE((*database)->nameByUser(object->id, "foreign " + std::to_string(i)));
   }
 }
 
-class ForeignCatalogue : public DemoScanTest {
+class ForeignCatalogueTest : public DemoScanTest {
  protected:
   /// A large region without an object.
-  [[nodiscard]] std::string plainRegion(std::size_t place = 0) const { return plainRegions().at(place); }
+  [[nodiscard]] std::string plainRegion(std::size_t index = 0) const { return plainRegions().at(index); }
   Json objects() const { return jsonOf(scantrove({"objects", "list", "--database", catalogue_, "--json"})); }
-  /// The first objects of the catalogue: those that were there before.
-  Json strangers() const {
+  /// The objects that the foreign catalogue had at first.
+  Json foreignObjects() const {
     Json all = objects();
-    all.erase(all.begin() + std::min<std::ptrdiff_t>(kStrangers, std::ssize(all)), all.end());
+    all.erase(all.begin() + std::min<std::ptrdiff_t>(kForeignObjects, std::ssize(all)), all.end());
     return all;
   }
-  /// Another catalogue lies where that of the session lay.
+  /// Puts a foreign catalogue in the place of the session's.
   void replaceCatalogue() {
-    takeCatalogueAway();
+    moveCatalogueAway();
     makeForeignCatalogue(catalogue_);
   }
-  void takeCatalogueAway() {
+  void moveCatalogueAway() {
     for (const char* file : {"catalogue.sqlite", "catalogue.sqlite-wal", "catalogue.sqlite-shm"}) {
       if (fs::exists(scan_ / file)) fs::rename(scan_ / file, folder_ / (std::string("own-") + file));
     }
@@ -75,102 +75,102 @@ class ForeignCatalogue : public DemoScanTest {
   }
 };
 
-TEST_F(ForeignCatalogue, UndoAndRedoTouchNoStranger) {
+TEST_F(ForeignCatalogueTest, UndoAndRedoChangeNoForeignObject) {
   const std::string one = plainRegion();
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
   ASSERT_FALSE(region(one)["object"].is_null());
   replaceCatalogue();
-  const Json before = strangers();
-  const Finished undone = tell({"undo"});
+  const Json before = foreignObjects();
+  const Finished undone = session({"undo"});
   EXPECT_EQ(undone.exit_code, 0);
-  EXPECT_THAT(undone.err, HasSubstr(kSentence));
+  EXPECT_THAT(undone.err, HasSubstr(kOtherCatalogue));
   EXPECT_EQ(objects(), before);
   EXPECT_EQ(region(one)["name"], "");
-  ASSERT_EQ(tell({"redo"}).exit_code, 0);
-  EXPECT_EQ(strangers(), before);
-  EXPECT_EQ(objects().size(), kStrangers + 1U) << "what is named there is an object of its own";
+  ASSERT_EQ(session({"redo"}).exit_code, 0);
+  EXPECT_EQ(foreignObjects(), before);
+  EXPECT_EQ(objects().size(), kForeignObjects + 1U) << "the named region becomes a new object";
   EXPECT_EQ(region(one)["object"], objects().back()["id"]);
 }
 
-TEST_F(ForeignCatalogue, NamingTouchesNoStranger) {
+TEST_F(ForeignCatalogueTest, NamingChangesNoForeignObject) {
   const std::string one = plainRegion();
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
   replaceCatalogue();
-  const Json before = strangers();
-  EXPECT_TRUE(region(one)["object"].is_null()) << "its number is not believed";
+  const Json before = foreignObjects();
+  EXPECT_TRUE(region(one)["object"].is_null()) << "the id belongs to the other catalogue";
   EXPECT_EQ(region(one)["name"], "mug");
-  const Finished named = tell({"name", "--region", one, "--name", "red mug"});
+  const Finished named = session({"name", "--region", one, "--name", "red mug"});
   EXPECT_EQ(named.exit_code, 0);
-  EXPECT_THAT(named.err, HasSubstr(kSentence));
-  EXPECT_EQ(strangers(), before);
+  EXPECT_THAT(named.err, HasSubstr(kOtherCatalogue));
+  EXPECT_EQ(foreignObjects(), before);
   EXPECT_EQ(objects().back()["name"], "red mug");
-  EXPECT_EQ(tell({"regions"}).err, "") << "said until the session knows that catalogue";
-  ASSERT_EQ(tell({"name", "--region", one, "--name", ""}).exit_code, 0);
-  ASSERT_EQ(tell({"object", one}).exit_code, 0);
-  ASSERT_EQ(tell({"undo", "--steps", "3"}).exit_code, 0);
-  EXPECT_EQ(strangers(), before);
+  EXPECT_EQ(session({"regions"}).err, "") << "no warning once the session uses that catalogue";
+  ASSERT_EQ(session({"name", "--region", one, "--name", ""}).exit_code, 0);
+  ASSERT_EQ(session({"object", one}).exit_code, 0);
+  ASSERT_EQ(session({"undo", "--steps", "3"}).exit_code, 0);
+  EXPECT_EQ(foreignObjects(), before);
 }
 
-TEST_F(ForeignCatalogue, JoiningTouchesNoStranger) {
+TEST_F(ForeignCatalogueTest, JoiningChangesNoForeignObject) {
   const std::string one = plainRegion(0), other = plainRegion(1);
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
-  ASSERT_EQ(tell({"name", "--region", other, "--name", "handle"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", other, "--name", "handle"}).exit_code, 0);
   replaceCatalogue();
   const Json before = objects();
-  ASSERT_EQ(tell({"join", one, other}).exit_code, 0);
-  ASSERT_EQ(tell({"undo"}).exit_code, 0);
-  ASSERT_EQ(tell({"redo"}).exit_code, 0);
+  ASSERT_EQ(session({"join", one, other}).exit_code, 0);
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
+  ASSERT_EQ(session({"redo"}).exit_code, 0);
   EXPECT_EQ(objects(), before);
 }
 
-TEST_F(ForeignCatalogue, NumbersHoldAgain_WhenTheCatalogueIsPutBack) {
+TEST_F(ForeignCatalogueTest, ObjectIdsAreValidAgain_WhenTheCatalogueIsRestored) {
   const std::string one = plainRegion(0), other = plainRegion(1);
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
   const Json own = objects(), object = region(one)["object"];
   replaceCatalogue();
-  ASSERT_EQ(tell({"name", "--region", other, "--name", "box"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", other, "--name", "box"}).exit_code, 0);
   putCatalogueBack();
   EXPECT_EQ(region(one)["object"], object);
   EXPECT_TRUE(region(other)["object"].is_null());
   EXPECT_EQ(objects(), own);
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "red mug"}).exit_code, 0);
-  EXPECT_EQ(objects().size(), own.size()) << "the object has another name, and is the same";
+  ASSERT_EQ(session({"name", "--region", one, "--name", "red mug"}).exit_code, 0);
+  EXPECT_EQ(objects().size(), own.size()) << "the same object has another name";
 }
 
-TEST_F(ForeignCatalogue, GoingOnWithAnotherOneTouchesNoStranger) {
+TEST_F(ForeignCatalogueTest, ResumingWithAnotherCatalogueChangesNoForeignObject) {
   const std::string one = plainRegion();
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
   const std::string other = folder_ / "other.sqlite";
   makeForeignCatalogue(other);
-  const auto strangersThere = [&] {
+  const auto foreignObjectsInOther = [&] {
     Json all = jsonOf(scantrove({"objects", "list", "--database", other, "--json"}));
-    all.erase(all.begin() + kStrangers, all.end());
+    all.erase(all.begin() + kForeignObjects, all.end());
     return all;
   };
-  const Json before = strangersThere();
+  const Json before = foreignObjectsInOther();
   const Finished run =
       scantrove({"scan", "demo", "--start", "40", "--frames", "20", "--resume", scan_, "--database", other});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr(kSentence));
-  EXPECT_EQ(strangersThere(), before);
+  EXPECT_THAT(run.err, HasSubstr(kOtherCatalogue));
+  EXPECT_EQ(foreignObjectsInOther(), before);
   for (const Json& one_region : regions()) {
     if (one_region["object"].is_null()) continue;
-    EXPECT_GT(one_region["object"], kStrangers) << one_region;
+    EXPECT_GT(one_region["object"], kForeignObjects) << one_region;
   }
-  ASSERT_EQ(tell({"undo"}).exit_code, 0);
-  EXPECT_EQ(strangersThere(), before);
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
+  EXPECT_EQ(foreignObjectsInOther(), before);
 }
 
-TEST_F(ForeignCatalogue, GoingOnAfterItWasDeletedDeletesNothingNew) {
+TEST_F(ForeignCatalogueTest, UndoDeletesNoNewObject_WhenTheScanResumedWithoutItsCatalogue) {
   const std::string one = plainRegion();
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
-  takeCatalogueAway();
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  moveCatalogueAway();
   const Finished run = scantrove({"scan", "demo", "--start", "40", "--frames", "40", "--resume", scan_});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr(kSentence));
-  Json unnamed = objects();
-  ASSERT_EQ(tell({"undo"}).exit_code, 0);
-  for (const Json& object : unnamed) {
+  EXPECT_THAT(run.err, HasSubstr(kOtherCatalogue));
+  const Json before_undo = objects();
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
+  for (const Json& object : before_undo) {
     if (object["name"] == "mug") continue;
     EXPECT_EQ(jsonOf(scantrove({"objects", "show", std::to_string(object["id"].get<int>()), "--database",
                                 catalogue_, "--json"}))["name"],
@@ -178,26 +178,26 @@ TEST_F(ForeignCatalogue, GoingOnAfterItWasDeletedDeletesNothingNew) {
   }
 }
 
-TEST_F(ForeignCatalogue, NumbersOfAnotherOneAreNotExported) {
+TEST_F(ForeignCatalogueTest, ExportHasNoForeignObjectIds) {
   const std::string one = plainRegion();
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
   replaceCatalogue();
   const Json before = objects();
   const Finished run = scantrove({"export", scan_, "--format", "masks", "--out", folder_ / "masks"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr(kSentence));
+  EXPECT_THAT(run.err, HasSubstr(kOtherCatalogue));
   EXPECT_EQ(objects(), before);
   for (const auto& file : fs::recursive_directory_iterator(folder_ / "masks")) {
     if (file.path().extension() != ".json") continue;
     const std::string text = readText(file.path());
-    EXPECT_THAT(text, testing::Not(HasSubstr("stranger"))) << file.path();
+    EXPECT_THAT(text, testing::Not(HasSubstr("foreign"))) << file.path();
     EXPECT_THAT(text, testing::Not(testing::ContainsRegex("\"object\": *[0-9]"))) << file.path();
   }
 }
 
-TEST_F(ForeignCatalogue, AnOlderSessionKeepsItsNumbers_WhereTheCatalogueHasItsScan) {
+TEST_F(ForeignCatalogueTest, SessionOfAnOlderVersionKeepsItsObjectIds_WhenTheCatalogueHasItsScan) {
   const std::string one = plainRegion();
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "mug"}).exit_code, 0);
   const Json object = region(one)["object"];
   {
     const QtMainThread qt;

@@ -1,4 +1,4 @@
-// The program with a Kinect v1 that a stand-in for libfreenect plays.
+// A replacement of libfreenect simulates a Kinect v1.
 #ifdef SCANTROVE_PLAYED_FREENECT
 #include <opencv2/imgcodecs.hpp>
 
@@ -12,12 +12,12 @@ using testing::HasSubstr;
 
 const ChildProcess::Environment kPlayed{{"LD_LIBRARY_PATH", SCANTROVE_PLAYED_FREENECT}};
 
-TEST(PlayedKinect, IsListed) {
+TEST(SimulatedKinect, IsListedAsACamera) {
   EXPECT_THAT(scantrove({"devices"}, kPlayed).out,
               HasSubstr("camera:freenect:0  Microsoft Kinect v1 (libfreenect)"));
 }
 
-TEST(PlayedKinect, IsRecorded) {
+TEST(SimulatedKinect, RecordsRegisteredDepthAndColor) {
   for (const char* source : {"freenect", "camera", "camera:freenect:0"}) {
     const TemporaryFolder folder;
     const Finished run = scantrove({"record", source, "--frames", "3", "--out", folder / "out"}, kPlayed);
@@ -41,7 +41,7 @@ TEST(PlayedKinect, IsRecorded) {
   }
 }
 
-TEST(PlayedKinect, AnUnpluggedOneIsNamed) {
+TEST(SimulatedKinect, ReportsThatItWasUnplugged) {
   const TemporaryFolder folder;
   ChildProcess::Environment environment = kPlayed;
   environment["PLAYED_FREENECT_IMAGES"] = "2";

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-/// Waits until `condition` holds; false when the child ended or three minutes passed first.
+/// Waits until `condition` holds. False: the child ended, or three minutes passed.
 template <class Condition>
 bool waitUntil(ChildProcess& child, Condition&& condition) {
   const auto end = std::chrono::steady_clock::now() + 180s;
@@ -29,11 +29,11 @@ std::size_t objectsIn(const fs::path& database) {
   return nlohmann::json::parse(run.out).size();
 }
 
-TEST(Interruption, CtrlCWritesWhatThereIs) {
+TEST(Interruption, StoppedScanWritesItsResults) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
     ChildProcess child(command({"scan", "demo", "--out", folder / "out"}));
-    // The first line of progress says that frames are being processed.
+    // The first progress line shows that frames are being processed.
     ASSERT_TRUE(waitUntil(child, [&] { return child.err().find(" fps") != std::string::npos; }))
         << child.err();
     child.kill(signal);
@@ -54,7 +54,7 @@ bool catches(const ChildProcess& child, int signal) {
   return (std::stoull(status.substr(at + 7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0;
 }
 
-// The search for OpenCL drivers blocks on a pipe that nobody writes to.
+// The search for OpenCL drivers blocks on a pipe without a writer.
 TEST(Interruption, FirstSignalEndsScan_WhenItHangsBeforeItsFirstFrame) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
@@ -70,8 +70,8 @@ TEST(Interruption, FirstSignalEndsScan_WhenItHangsBeforeItsFirstFrame) {
   }
 }
 
-// A closed terminal takes the readers of both outputs with it.
-TEST(Interruption, AScanThatNobodyListensToWritesItsResults) {
+// When a terminal closes, stdout and stderr lose their reader.
+TEST(Interruption, ScanWritesItsResults_WhenItsOutputIsClosed) {
   const TemporaryFolder folder;
   const Finished run =
       runProgram({"sh", "-c",
@@ -83,7 +83,7 @@ TEST(Interruption, AScanThatNobodyListensToWritesItsResults) {
   EXPECT_TRUE(fs::exists(folder / "out/trajectory.txt"));
 }
 
-TEST(Interruption, AKilledScanKeepsTheObjectsThatWereCommitted) {
+TEST(Interruption, KilledScanKeepsCommittedObjects) {
   const TemporaryFolder folder;
   const fs::path database = folder / "out/catalogue.sqlite";
   std::size_t committed = 0;
@@ -108,7 +108,7 @@ TEST(Interruption, AKilledScanKeepsTheObjectsThatWereCommitted) {
     EXPECT_GE(shown["views"].size(), 1U);
   }
 
-  // It can be worked with, and scanned into again.
+  // The catalogue can be edited and used by another scan.
   const std::string name = objects[0]["name"];
   EXPECT_EQ(scantrove({"objects", "rename", "--database", database, name, "my mug"}).exit_code, 0);
   EXPECT_EQ(
@@ -119,7 +119,7 @@ TEST(Interruption, AKilledScanKeepsTheObjectsThatWereCommitted) {
             "my mug");
 }
 
-TEST(Bench, PrintsStagesAndTheCostOverMapSize) {
+TEST(Bench, ReportsStagesAndQuartersOfTheScan) {
   const auto json = jsonOf(scantrove({"bench", "demo", "--frames", "8", "--json"}));
   EXPECT_EQ(json["frames"], 8);
   EXPECT_GT(json["fps"], 0);
@@ -129,15 +129,15 @@ TEST(Bench, PrintsStagesAndTheCostOverMapSize) {
   for (const auto& stage : json["stages"]) share += stage["share"].get<double>();
   EXPECT_NEAR(share, 1, 1e-6);
   ASSERT_FALSE(json["quarters"].empty());
-  // Eight frames of the demo: two a quarter, and the map grows with the view.
+  // Two of the eight frames per quarter; the map grows.
   EXPECT_EQ(json["quarters"].size(), 4U);
   EXPECT_EQ(json["quarters"].back()["to_frame"], 8);
   EXPECT_GE(json["quarters"].back()["bricks"], json["quarters"].front()["bricks"]);
   for (const auto& quarter : json["quarters"]) {
-    const auto& of_stages = quarter["stage_median_ms"];
-    EXPECT_EQ(of_stages.size(), json["stages"].size());
-    EXPECT_GT(of_stages["raycast"], 0);
-    EXPECT_LE(of_stages["raycast"], quarter["frame_median_ms"]);
+    const auto& stage_medians = quarter["stage_median_ms"];
+    EXPECT_EQ(stage_medians.size(), json["stages"].size());
+    EXPECT_GT(stage_medians["raycast"], 0);
+    EXPECT_LE(stage_medians["raycast"], quarter["frame_median_ms"]);
   }
 }
 

@@ -10,16 +10,16 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(Libraries, NoQt5IsLoadedBesideQt6) {
+TEST(Libraries, ProgramLoadsNoQt5) {
   const Finished run = runProgram({"ldd", SCANTROVE_BINARY});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("libQt6Core"));  // ldd did look through the libraries
+  EXPECT_THAT(run.out, HasSubstr("libQt6Core"));  // ldd has listed the libraries
   EXPECT_THAT(run.out, Not(HasSubstr("libQt5")));
   EXPECT_THAT(run.out, Not(HasSubstr("not found")));
 }
 
-// An empty or relative element means the folder in which the program was started.
-TEST(Libraries, RunPathsAreAbsoluteAndAddressesReadOnly) {
+// An empty or relative element would mean the current folder.
+TEST(Libraries, RunPathsAreAbsolute_AndRelocationsReadOnly) {
   const Finished run = runProgram({"readelf", "-dW", SCANTROVE_BINARY});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("BIND_NOW"));
@@ -36,18 +36,18 @@ TEST(Libraries, RunPathsAreAbsoluteAndAddressesReadOnly) {
   }
 }
 
-TEST(Libraries, BuffersAreGuarded) {
+TEST(Libraries, ProgramIsBuiltWithStackProtectorAndFortify) {
   const Finished symbols = runProgram({"readelf", "--dyn-syms", "-W", SCANTROVE_BINARY});
   ASSERT_EQ(symbols.exit_code, 0) << symbols.err;
   if (symbols.out.find("__asan_init") != std::string::npos ||
       symbols.out.find("__tsan_init") != std::string::npos)
-    GTEST_SKIP() << "the sanitizers watch in their stead";
+    GTEST_SKIP() << "sanitizers replace these checks";
   EXPECT_THAT(symbols.out, HasSubstr("__stack_chk_fail"));
   EXPECT_THAT(symbols.out,
-              testing::ContainsRegex("__[a-z]+_chk@"));  // what FORTIFY puts in place of read(), memcpy() ...
+              testing::ContainsRegex("__[a-z]+_chk@"));  // FORTIFY's checked read(), memcpy() ...
 }
 
-TEST(Libraries, BinaryDoesNotNameTheFolderItWasBuiltIn) {
+TEST(Libraries, StrippedProgramDoesNotContainTheSourcePath) {
   const TemporaryFolder folder;
   const std::string stripped = folder / "scantrove";
   const Finished run = runProgram({"strip", "-o", stripped, SCANTROVE_BINARY});

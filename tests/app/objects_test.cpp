@@ -3,9 +3,8 @@
 namespace scantrove::test {
 namespace {
 
-/// A catalogue with at least two objects, found by a real scan of the demo; made once for all tests of this
-/// file.
-class Objects : public testing::Test {
+/// A catalogue with at least two objects from a scan of the demo, made once for all tests of this file.
+class ObjectsCommandTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
@@ -41,9 +40,9 @@ class Objects : public testing::Test {
   int first_views_ = 0, second_views_ = 0;
   std::size_t count_ = 0;
 };
-TemporaryFolder* Objects::folder_ = nullptr;
+TemporaryFolder* ObjectsCommandTest::folder_ = nullptr;
 
-TEST_F(Objects, AreListedWithNamesThatWereGiven) {
+TEST_F(ObjectsCommandTest, ListsNamesAndSizes) {
   EXPECT_THAT(first_, testing::StartsWith("Obj_"));
   EXPECT_GE(first_views_, 1);
   const Finished text = scantrove({"objects", "list", "--database", copy_});
@@ -52,7 +51,7 @@ TEST_F(Objects, AreListedWithNamesThatWereGiven) {
   EXPECT_THAT(text.out, testing::HasSubstr("cm"));
 }
 
-TEST_F(Objects, AreRenamedAndConfirmedByNameOrId) {
+TEST_F(ObjectsCommandTest, RenamesAndConfirmsByNameOrId) {
   const auto renamed = jsonOf(run({"rename", first_, "blue mug"}));
   EXPECT_EQ(renamed["name"], "blue mug");
   const std::string id = std::to_string(renamed["id"].get<int>());
@@ -64,17 +63,17 @@ TEST_F(Objects, AreRenamedAndConfirmedByNameOrId) {
   expectJobFailure(run({"show", first_}), {first_});
 }
 
-TEST_F(Objects, AreMerged) {
+TEST_F(ObjectsCommandTest, MergesTwoObjects) {
   expectJobFailure(run({"merge", first_, first_}), {"itself"});
   const auto merged = jsonOf(run({"merge", first_, second_}));
   EXPECT_EQ(merged["views"], first_views_ + second_views_);
   EXPECT_EQ(merged["name"], first_views_ >= second_views_ ? first_ : second_);
   EXPECT_EQ(jsonOf(run({"list"})).size(), count_ - 1);
-  const std::string gone = merged["name"] == first_ ? second_ : first_;
-  expectJobFailure(run({"show", gone}), {gone});
+  const std::string removed = merged["name"] == first_ ? second_ : first_;
+  expectJobFailure(run({"show", removed}), {removed});
 }
 
-TEST_F(Objects, KeepTheNameOfAPersonWhenTheyAreMerged) {
+TEST_F(ObjectsCommandTest, MergeKeepsTheNameGivenByAUser) {
   EXPECT_EQ(jsonOf(run({"rename", second_, "mug"}))["named_by_person"], true);
   EXPECT_EQ(jsonOf(run({"confirm", first_}))["named_by_person"], false);
   const Finished merged = scantrove({"objects", "merge", first_, "mug", "--database", copy_});
@@ -83,14 +82,14 @@ TEST_F(Objects, KeepTheNameOfAPersonWhenTheyAreMerged) {
   EXPECT_EQ(jsonOf(run({"show", "mug"}))["confirmed"], true);
 }
 
-TEST_F(Objects, RefuseNamesThatAreIdsOrNoWords) {
+TEST_F(ObjectsCommandTest, RefusesNumbersControlCharactersAndLongTextsAsNames) {
   expectJobFailure(run({"rename", first_, "2"}), {"'2'", "id"});
   expectJobFailure(run({"rename", first_, "two\nlines"}), {"control characters"});
   expectJobFailure(run({"rename", first_, std::string(100'000, 'x')}), {"100000 characters", "200"});
   EXPECT_EQ(jsonOf(run({"show", first_}))["name"], first_);
 }
 
-TEST_F(Objects, SayWhatIsWrongWithTheCatalogue) {
+TEST_F(ObjectsCommandTest, NamesTheProblemOfAnUnreadableCatalogue) {
   const std::string loop = copies_ / "loop.sqlite";
   std::filesystem::create_symlink(loop, loop);
   expectJobFailure(scantrove({"objects", "list", "--database", loop}), {loop, "symbolic links"});
@@ -98,10 +97,10 @@ TEST_F(Objects, SayWhatIsWrongWithTheCatalogue) {
   expectJobFailure(scantrove({"objects", "list", "--database", folder}), {"is a folder"});
 }
 
-TEST_F(Objects, AreDeleted) {
+TEST_F(ObjectsCommandTest, DeletesAnObject) {
   EXPECT_EQ(run({"delete", first_}).exit_code, 0);
   EXPECT_EQ(jsonOf(run({"list"})).size(), count_ - 1);
-  expectJobFailure(run({"delete", "no such thing"}), {"no such thing"});
+  expectJobFailure(run({"delete", "no such object"}), {"no such object"});
 }
 
 }  // namespace

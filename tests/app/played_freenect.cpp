@@ -1,5 +1,5 @@
-// Takes libfreenect's place in a program that runs beside a test: a Kinect v1 before a wall that comes nearer
-// by 1 mm an image. After PLAYED_FREENECT_IMAGES images, if that is set, it is unplugged.
+// Replaces libfreenect in a program under test: a Kinect v1 before a wall that comes nearer by 1 mm per
+// image. It is unplugged after PLAYED_FREENECT_IMAGES images, if that is set.
 #include <libfreenect.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ int freenect_process_events_timeout(freenect_context*, timeval*) {
     camera.log(context(), FREENECT_LOG_ERROR, "USB device disappeared\n");
     return -1;
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(10));  // a program that reads it has time for others
+  std::this_thread::sleep_for(std::chrono::milliseconds(10));  // leaves time to the reader's other threads
   std::vector<std::uint8_t> color(3 * kPixels, 0);
   for (std::size_t i = 0; i < color.size(); i += 3) color[i] = 200;  // red
   std::vector<std::uint16_t> depth(kPixels, static_cast<std::uint16_t>(std::max(500, 2000 - camera.images)));

@@ -17,8 +17,8 @@ std::set<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
-/// Frames of which something is there, by their numbers; each must be whole.
-std::set<std::string> wholeFramesIn(const fs::path& folder, const std::vector<std::string>& suffixes) {
+/// Frames with at least one file, as "frame-NNNNNN". Expects each to have all `suffixes`.
+std::set<std::string> completeFramesIn(const fs::path& folder, const std::vector<std::string>& suffixes) {
   std::set<std::string> frames;
   const std::set<std::string> names = namesIn(folder);
   for (const std::string& name : names) {
@@ -30,15 +30,15 @@ std::set<std::string> wholeFramesIn(const fs::path& folder, const std::vector<st
   return frames;
 }
 
-const std::vector<std::string> kSyntheticParts{".color.png", ".depth.png", ".pose.txt", ".instance.png"};
+const std::vector<std::string> kSyntheticSuffixes{".color.png", ".depth.png", ".pose.txt", ".instance.png"};
 
-TEST(Record, ARandomSceneWithItsTruth) {
+TEST(Record, WritesARandomSceneWithItsTruth) {
   const TemporaryFolder folder;
   const Finished run = scantrove({"record", "demo:room:3:exact", "--start", "10", "--stride", "5", "--frames",
                                   "3", "--out", folder / "room"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("frames   3"));
-  EXPECT_EQ(wholeFramesIn(folder / "room", kSyntheticParts),
+  EXPECT_EQ(completeFramesIn(folder / "room", kSyntheticSuffixes),
             (std::set<std::string>{"frame-000010", "frame-000015", "frame-000020"}));
 
   const auto instances = nlohmann::json::parse(readText(folder / "room/instances.json"));
@@ -56,7 +56,7 @@ TEST(Record, ARandomSceneWithItsTruth) {
   for (const int id : seen) EXPECT_TRUE(id == 0 || ids.contains(id)) << id;
 }
 
-TEST(Record, AScanReadsItBack) {
+TEST(Record, WritesWhatScanAndRecordReadBack) {
   const TemporaryFolder folder;
   ASSERT_EQ(scantrove({"record", "demo:tabletop:5", "--frames", "4", "--out", folder / "table"}).exit_code,
             0);
@@ -78,8 +78,9 @@ TEST(Record, AScanReadsItBack) {
   EXPECT_LT(ate["ate_m"]["max"], 1e-4);
 }
 
-// 585 585 320 240 means the data set's own Kinect, whose colour is not registered; what was recorded is.
-TEST(Record, ColorStaysWhereItWasRegisteredTo) {
+// 585 585 320 240 stands for the 7-Scenes Kinect with unregistered colour; the colour of a recording is
+// registered.
+TEST(Record, KeepsRegisteredColorUnchanged) {
   const TemporaryFolder folder;
   ASSERT_EQ(scantrove({"record", "demo:room:exact", "--intrinsics", "585,585,320,240", "--frames", "1",
                        "--out", folder / "room"})
@@ -92,7 +93,7 @@ TEST(Record, ColorStaysWhereItWasRegisteredTo) {
   EXPECT_EQ(cv::norm(color("room"), color("again"), cv::NORM_INF), 0);
 }
 
-TEST(Record, ColorOfACameraOfItsOwnKeepsIt) {
+TEST(Record, KeepsTheColorCamera_WhenColorIsNotRegistered) {
   const TemporaryFolder folder;
   ASSERT_EQ(
       scantrove({"record", "demo:tabletop:exact", "--color-registration",
@@ -111,7 +112,7 @@ TEST(Record, ColorOfACameraOfItsOwnKeepsIt) {
   EXPECT_NEAR(camera["color_camera"]["T_color_depth"][7], 0.01, 1e-12);
 }
 
-TEST(Record, KeepsUnitsOfDepth) {
+TEST(Record, WritesDepthInTheGivenScale) {
   const TemporaryFolder folder;
   ASSERT_EQ(scantrove({"record", "demo:tabletop:exact", "--depth-scale", "5000", "--frames", "1", "--out",
                        folder / "fine"})
@@ -126,7 +127,7 @@ TEST(Record, KeepsUnitsOfDepth) {
   EXPECT_NEAR(middle("fine/frame-000000.depth.png"), 5 * middle("plain/frame-000000.depth.png"), 3);
 }
 
-TEST(Record, ARealRecordingHasNoTruth) {
+TEST(Record, WritesNoTruth_OfARealRecording) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   ASSERT_EQ(scantrove({"record", folder / "recording", "--out", folder / "out"}).exit_code, 0);
@@ -136,7 +137,7 @@ TEST(Record, ARealRecordingHasNoTruth) {
                                    "frame-000001.depth.png", "frame-000001.pose.txt"}));
 }
 
-TEST(Record, RefusesAFolderWithSomethingInIt) {
+TEST(Record, RefusesANonEmptyFolder) {
   const TemporaryFolder folder;
   folder.write("full/notes.txt", "mine");
   expectJobFailure(scantrove({"record", "demo", "--frames", "1", "--out", folder / "full"}),
@@ -144,11 +145,10 @@ TEST(Record, RefusesAFolderWithSomethingInIt) {
   EXPECT_EQ(namesIn(folder / "full"), (std::set<std::string>{"notes.txt"}));
   expectJobFailure(scantrove({"record", folder / "none", "--out", folder / "out"}),
                    {(folder / "none").string()});
-  expectWrongUsage(scantrove({"record", "demo"}), {"--out"});
 }
 
-// No file may grow beyond 20 kB: as a full disk, in the middle of a frame.
-TEST(Record, AFullDiskIsOneMessageAndNoHalfFrame) {
+// Like a full disk in the middle of a frame: no file may grow beyond 20 kB.
+TEST(Record, PrintsOneMessageAndKeepsNoPartialFrame_OnAFullDisk) {
   const TemporaryFolder folder;
   const Finished run =
       runProgram({"sh", "-c",
@@ -156,10 +156,10 @@ TEST(Record, AFullDiskIsOneMessageAndNoHalfFrame) {
                       (folder / "out").string()});
   expectJobFailure(run, {"Cannot write", "frame-000000.color.png"});
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-  EXPECT_TRUE(wholeFramesIn(folder / "out", {}).empty());
+  EXPECT_TRUE(completeFramesIn(folder / "out", {}).empty());
 }
 
-TEST(Record, CtrlCLeavesWholeFrames) {
+TEST(Record, KeepsCompleteFrames_AfterCtrlC) {
   const TemporaryFolder folder;
   ChildProcess child(command({"record", "demo:room:2", "--out", folder / "out"}));
   while (child.isRunning() && !fs::exists(folder / "out/frame-000002.depth.png")) {
@@ -167,7 +167,7 @@ TEST(Record, CtrlCLeavesWholeFrames) {
   }
   child.kill(SIGINT);
   EXPECT_EQ(child.wait(), 0) << child.err();
-  const auto frames = wholeFramesIn(folder / "out", kSyntheticParts);
+  const auto frames = completeFramesIn(folder / "out", kSyntheticSuffixes);
   EXPECT_GE(frames.size(), 3U);
   EXPECT_LT(frames.size(), 300U);
   EXPECT_THAT(child.out(), HasSubstr("frames   " + std::to_string(frames.size())));

@@ -13,8 +13,7 @@
 
 namespace scantrove::test {
 
-/// Depth in metres along the ray (u, v, 1): the corner of a room (two walls and the floor) with a ball before
-/// it.
+/// Depth in metres along the ray (u, v, 1): a room corner (two walls and the floor) with a ball in front.
 inline float depthOfCorner(float u, float v) {
   float z = 1.6F / (1.0F + 0.3F * u + 0.2F * v);
   if (v > 0.05F) z = std::min(z, 0.35F / v);
@@ -25,7 +24,7 @@ inline float depthOfCorner(float u, float v) {
   return under_root > 0 ? std::min(z, (1.2F - std::sqrt(under_root)) / a) : z;
 }
 
-/// A small 7-Scenes recording of that corner by a camera that does not move.
+/// Writes a small 7-Scenes recording of that corner from a camera at rest.
 inline void writeRecording(const std::filesystem::path& folder, int frames) {
   std::filesystem::create_directories(folder);
   const int width = 320, height = 240;
@@ -49,6 +48,7 @@ inline void writeRecording(const std::filesystem::path& folder, int frames) {
   std::ofstream(folder / "camera-intrinsics.txt") << "292.5 0 160\n0 292.5 120\n0 0 1\n";
 }
 
+/// Cuts the file to half its size.
 inline void truncate(const std::filesystem::path& path) {
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
 }

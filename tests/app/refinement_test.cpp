@@ -23,7 +23,7 @@ nlohmann::json refinementIn(const fs::path& out) {
   return report.is_object() ? report.value("refinement", nlohmann::json()) : nlohmann::json();
 }
 
-TEST(ScanRefinement, IsToldOnStderrAndInTheReport) {
+TEST(ScanRefinement, IsReportedOnStderrAndInTheReport) {
   const TemporaryFolder folder;
   const Finished run = scantrove(argumentsInto(folder / "out"));
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -35,7 +35,7 @@ TEST(ScanRefinement, IsToldOnStderrAndInTheReport) {
   EXPECT_EQ(jsonOf(scantrove({"session", "show", "--json", folder / "out"}))["refined"], true);
 }
 
-TEST(ScanRefinement, IsSkippedAndDoneLater) {
+TEST(ScanRefinement, IsDoneLater_WhenSkipped) {
   const TemporaryFolder folder;
   std::vector<std::string> arguments = argumentsInto(folder / "out");
   arguments.push_back("--skip-refinement");
@@ -56,7 +56,7 @@ TEST(ScanRefinement, IsSkippedAndDoneLater) {
   EXPECT_THAT(again.out, HasSubstr("refined already"));
 }
 
-/// Pixels in labels-final/ of frames 0 - 29 that differ between two scans, and all pixels.
+/// Over labels-final/ of frames 0 - 29 of two scans: the number of different pixels, and of all pixels.
 std::pair<int, int> differentLabels(const fs::path& a, const fs::path& b) {
   std::pair<int, int> counts{0, 0};
   for (int frame = 0; frame < 30; ++frame) {
@@ -72,7 +72,7 @@ std::pair<int, int> differentLabels(const fs::path& a, const fs::path& b) {
   return counts;
 }
 
-TEST(ScanRefinement, DrawsFinalLabelsAgain_WhenDoneLater) {
+TEST(ScanRefinement, WritesFinalLabelsAgain_WhenDoneLater) {
   const TemporaryFolder folder;
   for (const char* name : {"at once", "later"}) {
     std::vector<std::string> arguments = argumentsInto(folder / name);
@@ -81,15 +81,15 @@ TEST(ScanRefinement, DrawsFinalLabelsAgain_WhenDoneLater) {
     ASSERT_EQ(scantrove(arguments).exit_code, 0);
   }
   const auto before = differentLabels(folder / "at once", folder / "later");
-  ASSERT_GT(before.first, before.second / 1000) << "refinement changes nothing that labels show";
-  // One image that a person has corrected meanwhile.
+  ASSERT_GT(before.first, before.second / 1000) << "refinement changes no labels: the test shows nothing";
+  // A user has corrected one image before the refinement.
   const fs::path corrected = folder / "later/labels-final/000012.png";
-  const std::string by_person = readText(folder / "later/segments/000012.png");
-  std::ofstream(corrected, std::ios::binary) << by_person;
+  const std::string by_user = readText(folder / "later/segments/000012.png");
+  std::ofstream(corrected, std::ios::binary) << by_user;
 
   const Finished refined = scantrove({"session", "refine", folder / "later"});
   ASSERT_EQ(refined.exit_code, 0) << refined.err;
-  EXPECT_EQ(readText(corrected), by_person);
+  EXPECT_EQ(readText(corrected), by_user);
   EXPECT_THAT(refined.err, HasSubstr("did not write 1 image in "));
   fs::copy_file(folder / "at once/labels-final/000012.png", corrected, fs::copy_options::overwrite_existing);
   // A few voxels at borders may differ.
@@ -97,7 +97,7 @@ TEST(ScanRefinement, DrawsFinalLabelsAgain_WhenDoneLater) {
   EXPECT_LT(after.first, after.second / 1000);
 }
 
-TEST(ScanRefinement, CtrlCSkipsTheRestAndKeepsTheResults) {
+TEST(ScanRefinement, IsCutShortByASignal_AndResultsAreKept) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
     ChildProcess child(command(argumentsInto(folder / "out")));
@@ -115,10 +115,9 @@ TEST(ScanRefinement, CtrlCSkipsTheRestAndKeepsTheResults) {
   }
 }
 
-TEST(SessionRefine, RefusesWhatIsNoScan) {
+TEST(SessionRefine, RefusesAMissingFolder) {
   const TemporaryFolder folder;
   expectJobFailure(scantrove({"session", "refine", folder / "nothing"}), {"nothing"});
-  expectWrongUsage(scantrove({"session", "refine"}), {"DIR"});
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ nlohmann::json reportIn(const fs::path& out) {
   return nlohmann::json::parse(readText(out / "report.json"), nullptr, false);
 }
 
-/// Labels that hold at least a fiftieth of the image.
+/// The number of labels that cover more than a fiftieth of the image.
 int largeLabelsOf(const cv::Mat& labels) {
   std::map<int, int> pixels;
   for (int i = 0; i < static_cast<int>(labels.total()); ++i) {
@@ -37,7 +37,7 @@ int largeLabelsOf(const cv::Mat& labels) {
       pixels, [&](const auto& entry) { return entry.second > static_cast<int>(labels.total()) / 50; }));
 }
 
-TEST(Scan, WritesEverythingThatIsPromised) {
+TEST(Scan, WritesAllResults) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 6);
   const fs::path out = folder / "new" / "out";
@@ -52,14 +52,14 @@ TEST(Scan, WritesEverythingThatIsPromised) {
   ASSERT_EQ(trajectory->size(), 3U);
   EXPECT_NEAR((*trajectory)[0].timestamp_s, 1 / 30.0, 1e-6);
   EXPECT_NEAR((*trajectory)[2].timestamp_s, 5 / 30.0, 1e-6);
-  for (const char* part : {"segments", "labels", "labels-final"}) {
+  for (const char* kind : {"segments", "labels", "labels-final"}) {
     for (const char* name : {"000001.png", "000003.png", "000005.png"}) {
-      const auto image = readLabelImage(out / part / name);
+      const auto image = readLabelImage(out / kind / name);
       ASSERT_TRUE(image) << image.error().message();
       EXPECT_EQ(image->size(), cv::Size(320, 240));
-      EXPECT_GT(cv::countNonZero(*image), 320 * 240 / 2) << part << name;
+      EXPECT_GT(cv::countNonZero(*image), 320 * 240 / 2) << kind << name;
     }
-    EXPECT_EQ(std::distance(fs::directory_iterator(out / part), fs::directory_iterator()), 3) << part;
+    EXPECT_EQ(std::distance(fs::directory_iterator(out / kind), fs::directory_iterator()), 3) << kind;
   }
   EXPECT_THAT(readText(out / "cloud.pcd").substr(0, 400), HasSubstr("FIELDS x y z rgba label"));
   EXPECT_THAT(readText(out / "cloud.ply").substr(0, 400), HasSubstr("property uint label"));
@@ -75,8 +75,8 @@ TEST(Scan, WritesEverythingThatIsPromised) {
   EXPECT_EQ(report["frames"]["tracked"], 3);
   EXPECT_EQ(report["frames"]["lost"], 0);
   EXPECT_GT(report["fps"], 0);
-  EXPECT_GT(report["map"]["bricks"], 1000);  // 3 m^2 of surface, 2.2 x 10^-3 m^2 a brick
-  // Two walls, the floor and the ball; what the ball cuts apart may count twice.
+  EXPECT_GT(report["map"]["bricks"], 1000);  // 3 m^2 of surface, 2.2 x 10^-3 m^2 per brick
+  // Two walls, the floor and the ball; surfaces that the ball splits may count twice.
   const auto final_labels = readLabelImage(out / "labels-final" / "000005.png");
   ASSERT_TRUE(final_labels) << final_labels.error().message();
   EXPECT_THAT(largeLabelsOf(*final_labels), testing::AllOf(testing::Ge(4), testing::Le(6)));
@@ -84,11 +84,11 @@ TEST(Scan, WritesEverythingThatIsPromised) {
   EXPECT_TRUE(report["params"].contains("segmentation.k"));
   EXPECT_FALSE(report["stages"].empty());
   for (const auto& entry : fs::recursive_directory_iterator(out)) {
-    EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr(".part"))) << "a file beside was left";
+    EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr(".part"))) << "a temporary file remains";
   }
 }
 
-// However the device's threads happened to run.
+// Results do not depend on the order of the device's threads.
 TEST(Scan, GivesTheSameResultsTwice) {
   const TemporaryFolder folder;
   for (const char* out : {"first", "second"}) {
@@ -103,7 +103,7 @@ TEST(Scan, GivesTheSameResultsTwice) {
   }
 }
 
-TEST(Scan, WritesMapsOfFramesOnlyWhenAsked) {
+TEST(Scan, WritesLabelMaps_OnlyWhenRequested) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   ASSERT_EQ(scan(folder / "recording", folder / "out", {"--database", folder / "mine.sqlite"}).exit_code, 0);
@@ -114,7 +114,7 @@ TEST(Scan, WritesMapsOfFramesOnlyWhenAsked) {
             nlohmann::json::value_t::array);
 }
 
-TEST(Scan, SkipsAndCountsAFrameThatIsCutShort) {
+TEST(Scan, SkipsAndCountsATruncatedFrame) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 5);
   truncate(folder / "recording/frame-000002.depth.png");
@@ -125,7 +125,7 @@ TEST(Scan, SkipsAndCountsAFrameThatIsCutShort) {
   EXPECT_EQ(reportIn(folder / "out")["frames"]["tracked"], 4);
 }
 
-TEST(Scan, SkipsAndCountsAPoseThatIsNotANumber) {
+TEST(Scan, SkipsAndCountsANanPose) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 4);
   folder.write("recording/frame-000001.pose.txt",
@@ -136,7 +136,7 @@ TEST(Scan, SkipsAndCountsAPoseThatIsNotANumber) {
   EXPECT_EQ(reportIn(folder / "out")["frames"]["tracked"], 3);
 }
 
-TEST(Scan, OfARecordingWithoutOneGoodFrameFails) {
+TEST(Scan, Fails_WhenAllFramesAreTruncated) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   truncate(folder / "recording/frame-000000.depth.png");
@@ -144,19 +144,7 @@ TEST(Scan, OfARecordingWithoutOneGoodFrameFails) {
   expectJobFailure(scan(folder / "recording", folder / "out"), {"frame-000000.depth.png", "truncated"});
 }
 
-// Options that may be given again take one value each time: what follows is the source.
-TEST(Scan, SettingsMayStandBeforeTheSource) {
-  const TemporaryFolder folder;
-  const Finished run =
-      scantrove({"scan", "--set", "segmentation.k=0.25", "--set", "segmentation.min_pixels=33", "demo",
-                 "--frames", "1", "--out", folder.path() / "out"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  const auto params = reportIn(folder.path() / "out")["params"];
-  EXPECT_EQ(params["segmentation.k"], 0.25);
-  EXPECT_EQ(params["segmentation.min_pixels"], 33);
-}
-
-TEST(ScanFails, OnSourcesThatAreNone) {
+TEST(Scan, RefusesMissingEmptyAndUnknownSources) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "empty");
   expectJobFailure(scan(folder / "missing", folder / "out"), {(folder / "missing").string()});
@@ -164,7 +152,7 @@ TEST(ScanFails, OnSourcesThatAreNone) {
   expectJobFailure(scan(folder.write("notes.txt", "x"), folder / "out"), {"notes.txt"});
 }
 
-TEST(Scan, OfImagesWithoutIntrinsicsSaysWhatItAssumed) {
+TEST(Scan, WarnsAboutAssumedIntrinsics) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   for (const char* kind : {"color", "depth"}) {
@@ -177,19 +165,19 @@ TEST(Scan, OfImagesWithoutIntrinsicsSaysWhatItAssumed) {
   const Finished assumed = scan(folder / "images", folder / "out");
   EXPECT_EQ(assumed.exit_code, 0);
   EXPECT_THAT(assumed.err, HasSubstr("--intrinsics"));
-  const Finished told = scan(folder / "images", folder / "out", {"--intrinsics", "292.5,292.5,160,120"});
-  EXPECT_EQ(told.exit_code, 0);
-  EXPECT_THAT(told.err, testing::Not(HasSubstr("--intrinsics")));
+  const Finished given = scan(folder / "images", folder / "out", {"--intrinsics", "292.5,292.5,160,120"});
+  EXPECT_EQ(given.exit_code, 0);
+  EXPECT_THAT(given.err, testing::Not(HasSubstr("--intrinsics")));
 }
 
-TEST(ScanFails, OnIntrinsicsThatCannotBeOfTheseImages) {
+TEST(Scan, RefusesIntrinsics_WhenTheCenterIsOutsideTheImage) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   expectJobFailure(scan(folder / "recording", folder / "out", {"--intrinsics", "292.5,292.5,5000,120"}),
                    {"--intrinsics"});
 }
 
-/// A recording of the corner whose depth images hold `value` everywhere.
+/// Writes a recording of the corner whose depth images are `value` everywhere.
 void writeFlatRecording(const fs::path& folder, int value) {
   writeRecording(folder, 3);
   for (const char* name : {"frame-000000.depth.png", "frame-000001.depth.png", "frame-000002.depth.png"}) {
@@ -197,7 +185,7 @@ void writeFlatRecording(const fs::path& folder, int value) {
   }
 }
 
-TEST(ScanFails, WhenNoFrameCouldBeUsed) {
+TEST(Scan, Fails_WhenNoFrameIsUsable) {
   const TemporaryFolder folder;
   writeFlatRecording(folder / "dark", 0);
   writeRecording(folder / "recording", 3);
@@ -217,7 +205,7 @@ TEST(ScanFails, WhenNoFrameCouldBeUsed) {
   expectUnused(scantrove({"bench", folder / "dark"}), "no readings");
 }
 
-TEST(ScanFails, BeforeItStartsWhenAResultsPlaceIsTaken) {
+TEST(Scan, FailsBeforeItStarts_WhenAFolderHasTheNameOfAResult) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   fs::create_directories(folder / "out/cloud.ply");
@@ -227,8 +215,8 @@ TEST(ScanFails, BeforeItStartsWhenAResultsPlaceIsTaken) {
   EXPECT_FALSE(fs::exists(folder / "out/catalogue.sqlite"));
 }
 
-// The ball before the corner, filmed in colour by a finer camera 25 mm beside the one for depth.
-TEST(Scan, ViewsAreAsFineAsTheColorImages) {
+// The colour camera has a higher resolution and lies 25 mm beside the depth camera.
+TEST(Scan, StoresViewsInTheResolutionOfTheColorImages) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 30);
   const cv::Mat color(1024, 1280, CV_8UC3, cv::Scalar(90, 120, 150));
@@ -247,7 +235,7 @@ TEST(Scan, ViewsAreAsFineAsTheColorImages) {
   ASSERT_EQ(objects.size(), 1U) << "the ball";
   const auto ball = jsonOf(scantrove({"objects", "show", std::to_string(objects[0]["id"].get<int>()),
                                       "--json", "--database", folder / "out/catalogue.sqlite"}));
-  // 0.4 m across at 1.2 m, of which what touches nothing else is found.
+  // The ball is 0.4 m wide, at 1.2 m; only its part away from other surfaces is found.
   EXPECT_GT(ball["views"][0]["width"], 200);
   EXPECT_GT(ball["views"][0]["height"], 200);
 }
@@ -265,7 +253,7 @@ TEST(Scan, PrintsOneMessageForADamagedImage) {
   EXPECT_THAT(run.err, testing::Not(HasSubstr("libpng")));
 }
 
-TEST(Scan, FrameNumbersMayHaveLeadingZeros) {
+TEST(Scan, AcceptsFrameNumbersWithLeadingZeros) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 12);
   const Finished run = scan(folder / "recording", folder / "out", {"--start", "000010"});
@@ -273,16 +261,16 @@ TEST(Scan, FrameNumbersMayHaveLeadingZeros) {
   EXPECT_EQ(reportIn(folder / "out")["frames"]["read"], 2);
 }
 
-TEST(ScanFails, BeforeItStartsWhenTheOutputCannotBeWritten) {
+TEST(Scan, FailsBeforeItStarts_WhenTheOutputFolderCannotBeMade) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("file", "x");
-  // Permissions do not bind the superuser: below a file and in /proc nobody can write.
+  // The superuser ignores permissions, but cannot write below a file or in /proc either.
   expectJobFailure(scan("demo", file / "out"), {(file / "out").string()});
   expectJobFailure(scan("demo", "/proc/out"), {"/proc/out"});
   EXPECT_EQ(readText(file), "x");
 }
 
-TEST(ScanFails, OnADatabaseThatIsNone) {
+TEST(Scan, RefusesCatalogues_WhenTheyAreNoDatabase) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   const fs::path file =
@@ -296,7 +284,7 @@ TEST(ScanFails, OnADatabaseThatIsNone) {
                    {"postgresql"});
 }
 
-TEST(ScanFails, WithoutAnOpenClDevice) {
+TEST(Scan, Fails_WithoutAnOpenClDevice) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
   expectJobFailure(scan(folder / "recording", folder / "out", {},

@@ -26,7 +26,7 @@ inline nlohmann::json jsonOf(const Finished& run) {
   return nlohmann::json::parse(run.out, nullptr, false);
 }
 
-/// A failure of the job: exit code 1, nothing on stdout, one message on stderr that holds all of `words`.
+/// Exit code 1, nothing on stdout, one message on stderr that contains all of `words`.
 inline void expectJobFailure(const Finished& run, const std::vector<std::string>& words) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.out, "");
@@ -34,7 +34,7 @@ inline void expectJobFailure(const Finished& run, const std::vector<std::string>
   for (const std::string& word : words) EXPECT_THAT(run.err, testing::HasSubstr(word));
 }
 
-/// Wrong usage: exit code 2, nothing on stdout, a message that holds all of `words`.
+/// Exit code 2, nothing on stdout, a message on stderr that contains all of `words`.
 inline void expectWrongUsage(const Finished& run, const std::vector<std::string>& words) {
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_EQ(run.out, "");

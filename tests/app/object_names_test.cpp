@@ -1,4 +1,4 @@
-// Lists, label maps and data sets say the same of an object, as its catalogue has it now.
+// Lists, label maps and data sets agree on an object with its catalogue.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,10 +12,10 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-class ObjectWords : public DemoScanTest {
+class ObjectNamesTest : public DemoScanTest {
  protected:
   void name(const std::string& region, const std::string& name, const std::string& category = "") {
-    const Finished run = tell({"name", "--region", region, "--name", name, "--class", category});
+    const Finished run = session({"name", "--region", region, "--name", name, "--class", category});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     ASSERT_EQ(run.err, "");
   }
@@ -25,12 +25,12 @@ class ObjectWords : public DemoScanTest {
     return scantrove(arguments);
   }
   Json objectList() const { return jsonOf(objects({"list", "--json"})); }
-  /// labels.json of a data set of masks: what it says of its regions, by number.
-  Json dataset(std::string* said = nullptr) {
+  /// labels.json of an exported data set of masks, by region number. `warnings`: stderr of the export.
+  Json dataset(std::string* warnings = nullptr) {
     const fs::path out = folder_ / ("masks" + std::to_string(++datasets_));
     const Finished run = scantrove({"export", scan_, "--format", "masks", "--out", out});
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    if (said != nullptr) *said = run.err;
+    if (warnings != nullptr) *warnings = run.err;
     return Json::parse(readText(out / "labels.json"));
   }
   std::vector<std::string> cocoCategories() {
@@ -45,7 +45,7 @@ class ObjectWords : public DemoScanTest {
   int datasets_ = 0;
 };
 
-TEST_F(ObjectWords, RenamedInTheCatalogueIsRenamedInTheDataSet) {
+TEST_F(ObjectNamesTest, DataSetHasTheNewName_WhenTheObjectIsRenamed) {
   const std::string one = plainRegions().at(0);
   name(one, "mug");
   ASSERT_EQ(objects({"rename", "mug", "red mug"}).exit_code, 0);
@@ -55,7 +55,7 @@ TEST_F(ObjectWords, RenamedInTheCatalogueIsRenamedInTheDataSet) {
   EXPECT_THAT(cocoCategories(), testing::Not(testing::Contains("mug")));
 }
 
-TEST_F(ObjectWords, DeletedInTheCatalogueIsNoObjectOfTheDataSet) {
+TEST_F(ObjectNamesTest, DataSetHasNoObject_WhenItIsDeletedInTheCatalogue) {
   const std::string one = plainRegions().at(0);
   name(one, "mug", "cup");
   ASSERT_TRUE(dataset().contains(one));
@@ -65,130 +65,130 @@ TEST_F(ObjectWords, DeletedInTheCatalogueIsNoObjectOfTheDataSet) {
   EXPECT_TRUE(region(one)["object"].is_null());
   EXPECT_EQ(region(one)["name"], "");
   name(one, "mug");
-  EXPECT_TRUE(dataset().contains(one)) << "it is one again";
+  EXPECT_TRUE(dataset().contains(one)) << "naming makes it an object again";
 }
 
-TEST_F(ObjectWords, MergedInTheCatalogueIsTheOneThatHoldsBoth) {
+TEST_F(ObjectNamesTest, RegionsShareAnObject_WhenTheirObjectsMergeInTheCatalogue) {
   const std::string one = plainRegions().at(0), other = plainRegions().at(1);
   name(one, "mug", "cup");
   name(other, "handle", "part");
   ASSERT_EQ(objects({"merge", "mug", "handle"}).exit_code, 0);
-  const Json said = dataset();
-  EXPECT_EQ(said[other]["name"], said[one]["name"]);
-  EXPECT_EQ(said[other]["object"], said[one]["object"]);
-  EXPECT_EQ(said[other]["category"], said[one]["category"]);
+  const Json labels = dataset();
+  EXPECT_EQ(labels[other]["name"], labels[one]["name"]);
+  EXPECT_EQ(labels[other]["object"], labels[one]["object"]);
+  EXPECT_EQ(labels[other]["category"], labels[one]["category"]);
   EXPECT_EQ(region(other)["object"], region(one)["object"]);
   EXPECT_EQ(region(other)["confirmed"], true);
 }
 
-TEST_F(ObjectWords, AnotherScanCallsWhatItRecognizesByName) {
+TEST_F(ObjectNamesTest, RecognizedObjectHasItsNameInAnotherScan) {
   const auto all = regions();
   const auto found = std::ranges::find_if(all, [](const Json& one) { return !one["object"].is_null(); });
-  ASSERT_NE(found, all.end()) << "the demo gives an object in so many frames";
+  ASSERT_NE(found, all.end()) << "the demo gives no object in 40 frames";
   const int object = (*found)["object"];
   ASSERT_EQ(objects({"rename", std::to_string(object), "lunch box"}).exit_code, 0);
   const Finished run =
       scantrove({"scan", "demo", "--frames", "40", "--out", folder_ / "second", "--database", catalogue_});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  ASSERT_THAT(run.out, HasSubstr("lunch box")) << "it is not recognised: the test shows nothing";
+  ASSERT_THAT(run.out, HasSubstr("lunch box")) << "not recognised: the test shows nothing";
   const fs::path out = folder_ / "second-masks";
   ASSERT_EQ(scantrove({"export", folder_ / "second", "--format", "masks", "--out", out}).exit_code, 0);
-  const auto holds = [](const Json& labels) {
+  const auto contains = [](const Json& labels) {
     return std::ranges::any_of(labels, [](const Json& label) { return label["name"] == "lunch box"; });
   };
-  EXPECT_TRUE(holds(Json::parse(readText(out / "labels.json"))));
-  EXPECT_TRUE(holds(Json::parse(readText(folder_ / "second" / "labels.json"))));
+  EXPECT_TRUE(contains(Json::parse(readText(out / "labels.json"))));
+  EXPECT_TRUE(contains(Json::parse(readText(folder_ / "second" / "labels.json"))));
   EXPECT_THAT(scantrove({"session", "regions", folder_ / "second"}).out, HasSubstr("lunch box"));
 }
 
-TEST_F(ObjectWords, WithoutItsCatalogueASessionSaysWhatItKept) {
+TEST_F(ObjectNamesTest, SessionUsesItsStoredNames_WithoutTheCatalogue) {
   const std::string one = plainRegions().at(0), other = plainRegions().at(1);
   name(one, "mug");
   ASSERT_EQ(objects({"rename", "mug", "red mug"}).exit_code, 0);
-  name(other, "box");  // by then the session has heard of it
+  name(other, "box");  // the session stores the renamed object too
   for (const char* file : {"catalogue.sqlite", "catalogue.sqlite-wal", "catalogue.sqlite-shm"})
     fs::remove(scan_ / file);
-  std::string said;
-  const Json labels = dataset(&said);
+  std::string warnings;
+  const Json labels = dataset(&warnings);
   EXPECT_EQ(labels[one]["name"], "red mug");
   EXPECT_EQ(labels[one]["confirmed"], true);
-  EXPECT_THAT(said, testing::AllOf(HasSubstr(catalogue_), HasSubstr("what the session kept")));
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "blue mug"}).exit_code, 0);
-  EXPECT_EQ(region(one)["name"], "blue mug") << "what is said now counts for more";
+  EXPECT_THAT(warnings, testing::AllOf(HasSubstr(catalogue_), HasSubstr("what the session kept")));
+  ASSERT_EQ(session({"name", "--region", one, "--name", "blue mug"}).exit_code, 0);
+  EXPECT_EQ(region(one)["name"], "blue mug") << "the newest name wins";
 }
 
-TEST_F(ObjectWords, ANameOfTheSessionAloneHolds) {
+TEST_F(ObjectNamesTest, NameOfTheSessionAloneIsUsed) {
   const std::string one = plainRegions().at(0);
   name(one, "mug");
-  ASSERT_EQ(tell({"name", "--region", one, "--name", "my mug", "--no-catalogue"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", one, "--name", "my mug", "--no-catalogue"}).exit_code, 0);
   EXPECT_EQ(region(one)["name"], "my mug");
   EXPECT_EQ(dataset()[one]["name"], "my mug");
 }
 
-TEST_F(ObjectWords, WhatIsNoObjectAnyMoreIsInNoDataSet) {
+TEST_F(ObjectNamesTest, DataSetHasNoRegion_WhenAUserMarkedItAsNoObject) {
   const std::string one = plainRegions().at(0), other = plainRegions().at(1);
   name(one, "mug");
-  ASSERT_EQ(tell({"object", other}).exit_code, 0);
+  ASSERT_EQ(session({"object", other}).exit_code, 0);
   ASSERT_TRUE(dataset().contains(one));
   ASSERT_TRUE(dataset().contains(other));
-  ASSERT_EQ(tell({"object", one, other, "--off"}).exit_code, 0);
+  ASSERT_EQ(session({"object", one, other, "--off"}).exit_code, 0);
   EXPECT_FALSE(dataset().contains(one));
   EXPECT_FALSE(dataset().contains(other));
   EXPECT_EQ(region(one)["is_object"], false);
   EXPECT_EQ(region(other)["is_object"], false);
-  ASSERT_EQ(tell({"undo"}).exit_code, 0);
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
   EXPECT_TRUE(dataset().contains(one));
-  ASSERT_EQ(tell({"redo"}).exit_code, 0);
-  ASSERT_EQ(tell({"object", one}).exit_code, 0);
+  ASSERT_EQ(session({"redo"}).exit_code, 0);
+  ASSERT_EQ(session({"object", one}).exit_code, 0);
   EXPECT_EQ(region(one)["is_object"], true);
   EXPECT_TRUE(dataset().contains(one));
 }
 
-TEST_F(ObjectWords, AJoinedRegionTakesTheObjectAlong) {
+TEST_F(ObjectNamesTest, JoinedRegionGetsTheObject) {
   const std::string plain = plainRegions().at(0), one = plainRegions().at(1);
   name(one, "mug");
   const Json before = objectList(), object = region(one)["object"];
   ASSERT_FALSE(object.is_null());
-  ASSERT_EQ(tell({"join", plain, one}).exit_code, 0);
+  ASSERT_EQ(session({"join", plain, one}).exit_code, 0);
   EXPECT_EQ(region(plain)["object"], object);
   EXPECT_EQ(region(plain)["name"], "mug");
   name(plain, "red mug");
-  EXPECT_EQ(objectList().size(), before.size()) << "no second object";
+  EXPECT_EQ(objectList().size(), before.size()) << "no second object is added";
   EXPECT_EQ(region(plain)["object"], object);
-  ASSERT_EQ(tell({"undo", "--steps", "2"}).exit_code, 0);
+  ASSERT_EQ(session({"undo", "--steps", "2"}).exit_code, 0);
   EXPECT_EQ(region(one)["object"], object) << "in a new process";
   EXPECT_TRUE(region(plain)["object"].is_null());
   EXPECT_EQ(objectList(), before);
-  ASSERT_EQ(tell({"redo"}).exit_code, 0);
+  ASSERT_EQ(session({"redo"}).exit_code, 0);
   EXPECT_EQ(region(plain)["object"], object);
 }
 
-TEST_F(ObjectWords, JoinedRegionsOfTwoObjectsBecomeOne) {
+TEST_F(ObjectNamesTest, JoinedRegionsBecomeOneObject) {
   const std::string one = plainRegions().at(0), other = plainRegions().at(1);
   name(one, "mug");
-  ASSERT_EQ(tell({"object", other}).exit_code, 0);
+  ASSERT_EQ(session({"object", other}).exit_code, 0);
   const Json before = objectList(), object = region(one)["object"];
-  const Finished joined = tell({"join", other, one});
+  const Finished joined = session({"join", other, one});
   ASSERT_EQ(joined.exit_code, 0);
   EXPECT_EQ(joined.err, "");
   EXPECT_EQ(objectList().size(), before.size() - 1);
-  EXPECT_EQ(region(other)["object"], object) << "the one that a person named holds both";
-  ASSERT_EQ(tell({"undo"}).exit_code, 0);
+  EXPECT_EQ(region(other)["object"], object) << "the object named by a user remains";
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
   EXPECT_EQ(objectList().size(), before.size());
   EXPECT_EQ(region(one)["object"], object);
   EXPECT_FALSE(region(other)["object"].is_null());
 }
 
-TEST_F(ObjectWords, JoinedRegionsStayTwoObjects_WhenAPersonNamedBoth) {
+TEST_F(ObjectNamesTest, JoinedRegionsStayTwoObjects_WhenAUserNamedBoth) {
   const std::string one = plainRegions().at(0), other = plainRegions().at(1);
   name(one, "mug");
   name(other, "handle");
   const Json before = objectList();
-  const Finished joined = tell({"join", one, other});
+  const Finished joined = session({"join", one, other});
   ASSERT_EQ(joined.exit_code, 0);
   EXPECT_THAT(joined.err, testing::AllOf(HasSubstr("mug"), HasSubstr("handle"), HasSubstr("objects merge")));
   EXPECT_EQ(objectList(), before);
-  ASSERT_EQ(tell({"undo"}).exit_code, 0);
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
   EXPECT_EQ(region(other)["name"], "handle");
   EXPECT_FALSE(region(other)["object"].is_null());
 }

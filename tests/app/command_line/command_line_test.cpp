@@ -1,0 +1,192 @@
+// The parser alone: options and values are checked before any command starts, so no program is run here.
+#include "app/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+using testing::HasSubstr;
+
+CommandLine parse(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv{"scantrove"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  return parseCommandLine(static_cast<int>(argv.size()), argv.data());
+}
+
+CommandLine parseScan(const std::vector<std::string>& options) {
+  std::vector<std::string> arguments{"scan", "demo", "--out", "out"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return parse(arguments);
+}
+
+/// One message for stderr that holds all of `words`; no command and no text for stdout.
+void expectRefused(const CommandLine& line, const std::vector<std::string>& words) {
+  EXPECT_EQ(line.exit_code, kWrongUsage);
+  EXPECT_FALSE(line.job);
+  EXPECT_EQ(line.out, "");
+  EXPECT_THAT(line.err, testing::StartsWith("scantrove: "));
+  for (const std::string& word : words) EXPECT_THAT(line.err, HasSubstr(word));
+}
+
+void expectCommand(const CommandLine& line) {
+  EXPECT_FALSE(line.exit_code) << line.err;
+  EXPECT_TRUE(line.job);
+}
+
+TEST(CommandLine, HelpNamesEveryCommand) {
+  const CommandLine line = parse({"--help"});
+  EXPECT_EQ(line.exit_code, kDone);
+  EXPECT_EQ(line.err, "");
+  for (const char* name : {"scan", "evaluate", "objects", "bench", "devices", "params", "--version"}) {
+    EXPECT_THAT(line.out, HasSubstr(name));
+  }
+}
+
+TEST(CommandLine, HelpOfACommandNamesItsOptions) {
+  const CommandLine line = parse({"scan", "--help"});
+  EXPECT_EQ(line.exit_code, kDone);
+  for (const char* name :
+       {"--out", "--database", "--frames", "--start", "--stride", "--poses", "--intrinsics", "--depth-scale",
+        "--config", "--set", "--device", "--label-maps"}) {
+    EXPECT_THAT(line.out, HasSubstr(name));
+  }
+  EXPECT_THAT(line.out, HasSubstr("'freenect' (Kinect v1)"));
+  EXPECT_THAT(parse({"devices", "--help"}).out, HasSubstr("--root DIR"));
+  EXPECT_EQ(parse({"objects", "rename", "--help"}).exit_code, kDone);
+}
+
+TEST(CommandLine, OpensTheWindow_WithoutACommand) {
+  const CommandLine line = parse({"demo", "--paused", "--window-size", "1400x900", "--frames", "7"});
+  EXPECT_FALSE(line.exit_code) << line.err;
+  EXPECT_FALSE(line.job);
+  EXPECT_EQ(line.window.source, "demo");
+  EXPECT_TRUE(line.window.start_paused);
+  EXPECT_EQ(line.window.width, 1400);
+  EXPECT_EQ(line.window.height, 900);
+  EXPECT_EQ(line.window.source_options.frames, 7);
+}
+
+TEST(CommandLine, RefusesUnknownAndMissingArguments) {
+  expectRefused(parse({"fold-laundry"}), {"fold-laundry"});
+  expectRefused(parse({"scan", "demo", "--out", "x", "--fast"}), {"--fast"});
+  expectRefused(parse({"--frames", "3", "scan", "demo", "--out", "x"}), {"--frames must follow the command"});
+  expectRefused(parse({"scan", "--out", "x"}), {"SOURCE"});
+  expectRefused(parse({"scan", "demo"}), {"--out", "--resume"});
+  expectRefused(parse({"record", "demo"}), {"--out"});
+  expectRefused(parse({"objects"}), {"subcommand"});
+  expectRefused(parse({"objects", "list"}), {"--database"});
+  expectRefused(parse({"session", "refine"}), {"DIR"});
+  expectRefused(parse({"evaluate"}), {"subcommand"});
+  expectRefused(parse({"evaluate", "trajectory", "--estimate", "x"}), {"--truth"});
+  expectRefused(parse({"evaluate", "catalogue", "--scan", "x"}), {"--truth"});
+}
+
+TEST(CommandLine, RefusesEmptyArguments) {
+  for (const char* option : {"--database", "--intrinsics", "--config", "--set", "--device",
+                             "--color-registration", "--poses", "--resume", "--depth-scale", "--frames"}) {
+    expectRefused(parseScan({option, ""}), {option});
+  }
+  expectRefused(parse({"scan", "", "--out", "out"}), {"SOURCE is empty"});
+  expectRefused(parse({"bench", ""}), {"SOURCE is empty"});
+  expectRefused(parse({"record", "", "--out", "out"}), {"SOURCE is empty"});
+  expectRefused(parse({"export", "scan", "--format", "ply", "--out", ""}), {"--out", "is empty"});
+  expectRefused(parse({"session", "show", ""}), {"DIR", "is empty"});
+  expectRefused(parse({"objects", "list", "--database", ""}), {"--database", "is empty"});
+  expectRefused(parse({"evaluate", "trajectory", "--estimate", "", "--truth", "x"}), {"--estimate"});
+}
+
+TEST(CommandLine, AcceptsAnEmptyName) {
+  expectCommand(parse({"session", "name", "scan", "--region", "1", "--name", ""}));
+}
+
+TEST(CommandLine, RefusesArguments_WhenTheyAreNotUtf8) {
+  expectRefused(parse({"scan", "demo", "--out", "out\xFF"}), {"--out", "is not UTF-8"});
+  expectRefused(parse({"session", "name", "scan", "--region", "1", "--name", "\xFF"}), {"name"});
+}
+
+TEST(CommandLine, RefusesNumbersOutOfRange) {
+  expectRefused(parseScan({"--frames", "0"}), {"--frames"});
+  expectRefused(parseScan({"--frames", "many"}), {"--frames", "whole number from 1"});
+  expectRefused(parseScan({"--frames", "1.5"}),
+                {"--frames", "'1.5' is not a whole number from 1 to 2147483647"});
+  expectRefused(parseScan({"--start", "99999999999"}), {"--start", "whole number"});
+  expectRefused(parseScan({"--start", "-1"}), {"--start"});
+  expectRefused(parseScan({"--stride", "0"}), {"--stride"});
+  expectRefused(parseScan({"--poses", "guessed"}), {"--poses"});
+  expectRefused(parseScan({"--depth-scale", "0"}), {"--depth-scale"});
+}
+
+TEST(CommandLine, RefusesCameras_WhenTheyAreImpossible) {
+  expectRefused(parseScan({"--intrinsics", "525,525"}), {"--intrinsics", "4 numbers"});
+  expectRefused(parseScan({"--intrinsics", "a,b,c,d"}), {"--intrinsics", "fx,fy,cx,cy"});
+  expectRefused(parseScan({"--intrinsics", "0,525,319.5,239.5"}), {"--intrinsics", "positive"});
+  expectRefused(parseScan({"--intrinsics", "525,nan,319.5,239.5"}), {"--intrinsics"});
+  expectRefused(parseScan({"--color-registration", "nearby"}),
+                {"--color-registration", "'nearby'", "registered, kinect", "fx,fy,cx,cy"});
+  expectRefused(parseScan({"--color-registration", "525,0,320,240,0.025"}),
+                {"--color-registration", "positive"});
+  expectRefused(parseScan({"--color-registration", "525,525,320,240,25"}), {"more than 1 m away"});
+}
+
+TEST(CommandLine, RefusesParameters_WhenKeyOrValueIsWrong) {
+  expectRefused(parseScan({"--set", "segmentation.kk=1"}), {"segmentation.kk", "segmentation.k"});
+  expectRefused(parseScan({"--set", "segmentation.k=1000"}), {"segmentation.k"});
+  expectRefused(parseScan({"--set", "segmentation.k=soft"}), {"segmentation.k"});
+  expectRefused(parseScan({"--set", "="}), {"key=value"});
+  expectRefused(parseScan({"--set", "segmentation.k"}), {"key=value"});
+  expectRefused(parseScan({"--set", "detection.max_views=1.5"}), {"detection.max_views", "whole number"});
+}
+
+TEST(CommandLine, RefusesConfiguration_WhenTheFileCannotBeRead) {
+  const TemporaryFolder folder;
+  expectRefused(parseScan({"--config", folder / "missing.toml"}), {"missing.toml"});
+  expectRefused(parse({"params", "--config", folder.write("bad.toml", "[segmentation]\nk = = 1\n")}),
+                {"bad.toml"});
+  const std::string loop = folder / "loop";
+  std::filesystem::create_symlink("loop", loop);
+  expectRefused(parse({"params", "--config", loop}), {loop, "symbolic links"});
+}
+
+// An option that may be repeated takes one value each time: the next argument is the source.
+TEST(CommandLine, AcceptsSettingsBeforeTheSource) {
+  expectCommand(parse({"scan", "--set", "segmentation.k=0.25", "--set", "segmentation.min_pixels=33", "demo",
+                       "--out", "out"}));
+}
+
+TEST(CommandLine, RefusesExports_WhenOptionsContradict) {
+  expectRefused(parse({"export", "scan", "--format", "word", "--out", "x"}), {"word"});
+  expectRefused(parse({"export", "scan", "--database", "db", "--out", "x"}), {"DIR"});
+  expectRefused(parse({"export", "--out", "x"}), {"--database"});
+  expectRefused(parse({"export", "--database", "db", "--format", "coco", "--out", "x"}), {"--format"});
+  expectRefused(parse({"export", "scan", "--out", "x"}), {"--format"});
+  expectRefused(parse({"export", "scan", "--format", "ply", "--centred", "--out", "x"}), {"--centred"});
+}
+
+TEST(CommandLine, RefusesSegmentationEvaluation_WithoutOneTruthPerScan) {
+  const auto evaluate = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"evaluate", "segmentation", "--truth", "truth"});
+    return parse(arguments);
+  };
+  expectCommand(evaluate({"--scan", "scan"}));
+  expectCommand(evaluate({"--estimate", "labels"}));
+  expectRefused(evaluate({}), {"--scan"});
+  expectRefused(evaluate({"--scan", "scan", "--estimate", "scan"}), {"--scan"});
+  expectRefused(evaluate({"--scan", "scan", "--scan", "scan"}), {"each scan with its truth"});
+}
+
+TEST(CommandLine, RefusesScreenshot_WhenTheFileExists) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("picture.png", "a user's");
+  expectRefused(parse({"demo", "--screenshot", file}), {"--screenshot", file});
+}
+
+}  // namespace
+}  // namespace scantrove::test
