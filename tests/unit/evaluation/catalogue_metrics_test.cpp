@@ -32,7 +32,7 @@ ViewJudgment judge(const cv::Rect& box) {
 
 TEST(JudgeView, VerdictFollowsTheOverlap) {
   // 4 x 4 of the mug's 20 pixels: IoU 0.8. 4 x 3: exactly 0.6, not above it.
-  EXPECT_EQ(judge({2, 2, 4, 4}).verdict, whole);
+  EXPECT_EQ(judge({2, 2, 4, 4}).verdict, complete);
   EXPECT_THAT(judge({2, 2, 4, 4}).instances, ElementsAre(2));
   EXPECT_EQ(judge({2, 2, 4, 3}).verdict, part);
   EXPECT_THAT(judge({2, 2, 4, 3}).instances, ElementsAre(2));
@@ -57,17 +57,17 @@ TEST(JudgeView, ScalesTheMaskToItsBox) {
   // A mask at twice the resolution. The box shows mug and bowl; only the left half, the mug, is set.
   cv::Mat mask(10, 16, CV_8UC1, cv::Scalar(0));
   mask.colRange(0, 8) = 255;
-  EXPECT_EQ(judgeView(mask, {2, 2, 8, 5}, scene(), kObjects).verdict, whole);
+  EXPECT_EQ(judgeView(mask, {2, 2, 8, 5}, scene(), kObjects).verdict, complete);
   // Half of the box lies outside the image.
   EXPECT_EQ(judgeView(full(4, 4), {-2, 2, 4, 4}, scene(), kObjects).verdict, background);
 }
 
 TEST(JudgeEntry, IsWhole_WhenFourOfFiveViewsAre) {
-  const ViewJudgment mug{whole, {2}};
+  const ViewJudgment mug{complete, {2}};
   const ViewJudgment half{part, {2}};
   const ViewJudgment both{merger, {3, 2}};
   const std::vector<ViewJudgment> good{mug, half, mug, mug, mug};
-  EXPECT_EQ(judgeEntry(good).verdict, whole);
+  EXPECT_EQ(judgeEntry(good).verdict, complete);
   EXPECT_THAT(judgeEntry(good).instances, ElementsAre(2));
   EXPECT_EQ(judgeEntry(good).complete_views, 4);
   const std::vector<ViewJudgment> poor{mug, mug, half, both, both, both};
@@ -78,7 +78,7 @@ TEST(JudgeEntry, IsWhole_WhenFourOfFiveViewsAre) {
 }
 
 TEST(JudgeEntry, IsAMerger_WhenViewsShowTwoWholeObjects) {
-  const std::vector<ViewJudgment> views{{whole, {2}}, {whole, {3}}};
+  const std::vector<ViewJudgment> views{{complete, {2}}, {complete, {3}}};
   EXPECT_EQ(judgeEntry(views).verdict, merger);
   EXPECT_THAT(judgeEntry(views).instances, ElementsAre(2, 3));
   EXPECT_EQ(judgeEntry({}).verdict, background);
@@ -129,7 +129,7 @@ TEST(CountVisible, CountsEntireFrames_AwayFromAllFourBorders) {
 
 TEST(EvaluateCatalogue, ReturnsKnownPurityAndCompleteness) {
   const std::vector<EntryJudgment> entries{
-      {whole, {2}, 5, 5}, {whole, {2}, 1, 1}, {part, {3}, 2, 0}, {background, {1}, 1, 0}};
+      {complete, {2}, 5, 5}, {complete, {2}, 1, 1}, {part, {3}, 2, 0}, {background, {1}, 1, 0}};
   // 2, 3 and 6 are expected. 4 is too small, 5 is in too few frames, and 6 is entire in too few frames.
   const std::map<int, TrueObject> objects{
       {2, {100, 0.1, 60}}, {3, {40, 0.3, 30}}, {4, {100, 0.03, 90}}, {5, {10, 0.2, 10}}, {6, {50, 0.3, 2}}};
