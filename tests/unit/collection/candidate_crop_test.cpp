@@ -139,22 +139,22 @@ ColorCamera besideDepth() {
 
 struct StagedFrame {
   RgbdFrame frame;
-  cv::Mat seen;                                                              ///< Stage::What by colour pixel
-  cv::Mat working_seen = cv::Mat(kWorking.height, kWorking.width, CV_8UC1);  ///< likewise
+  cv::Mat labels;  ///< Stage::What by colour pixel
+  cv::Mat working_labels = cv::Mat(kWorking.height, kWorking.width, CV_8UC1);  ///< likewise
   std::vector<Eigen::Vector4f> vertices;
 
   StagedFrame() {
     frame.color_camera = besideDepth();
     const Intrinsics& K = frame.color_camera->K;
     const Eigen::Vector3f eye = -frame.color_camera->T_color_depth.translation().cast<float>();
-    seen.create(K.height, K.width, CV_8UC1);
+    labels.create(K.height, K.width, CV_8UC1);
     for (int v = 0; v < K.height; ++v) {
       for (int u = 0; u < K.width; ++u) {
         const Eigen::Vector3f ray = K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
-        seen.at<uchar>(v, u) = Stage::cast(eye, ray.x(), ray.y()).first;
+        labels.at<uchar>(v, u) = Stage::cast(eye, ray.x(), ray.y()).first;
       }
     }
-    cv::merge(std::vector<cv::Mat>(3, seen), frame.color);
+    cv::merge(std::vector<cv::Mat>(3, labels), frame.color);
     frame.depth.create(480, 640, CV_16UC1);
     const Intrinsics depth_K = kWorking.resizedTo(640, 480);
     for (int v = 0; v < 480; ++v) {
@@ -168,14 +168,14 @@ struct StagedFrame {
       for (int u = 0; u < kWorking.width; ++u) {
         const Eigen::Vector3f ray = kWorking.backProject(static_cast<float>(u), static_cast<float>(v), 1);
         const auto [what, z] = Stage::cast(Eigen::Vector3f::Zero(), ray.x(), ray.y());
-        working_seen.at<uchar>(v, u) = what;
+        working_labels.at<uchar>(v, u) = what;
         vertices.push_back((ray * z).homogeneous());
       }
     }
   }
   [[nodiscard]] Candidate candidate(Stage::What what) const {
     Candidate candidate;
-    const cv::Mat mask = working_seen == what;
+    const cv::Mat mask = working_labels == what;
     candidate.box_px = cv::boundingRect(mask);
     candidate.mask = mask(candidate.box_px).clone();
     return candidate;

@@ -56,10 +56,10 @@ CollectorState someState() {
 }
 
 TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
-  const std::vector<std::uint32_t> words = collectorMemory(someState());
-  const std::optional<CollectorState> read = collectorStateFrom(words);
+  const std::vector<std::uint32_t> memory = collectorMemory(someState());
+  const std::optional<CollectorState> read = collectorStateFrom(memory);
   ASSERT_TRUE(read);
-  EXPECT_EQ(collectorMemory(*read), words);
+  EXPECT_EQ(collectorMemory(*read), memory);
   EXPECT_EQ(read->catalogue.ids.at(kNew), ObjectId{9});
   EXPECT_EQ(read->tracks.tracks.at(kNew).frames_empty, 2);
   EXPECT_EQ(read->tracks.object_of_region.at(kPart), kMug);
@@ -75,12 +75,12 @@ TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
   EXPECT_EQ(read->frame, 77);
 }
 
-TEST(CollectorMemory, NothingIsRead_WhenWordsAreMissingOrLeft) {
-  std::vector<std::uint32_t> words = collectorMemory(someState());
-  for (std::size_t size = 0; size < words.size(); ++size)
-    EXPECT_FALSE(collectorStateFrom(std::span(words).first(size))) << size;
-  words.push_back(0);
-  EXPECT_FALSE(collectorStateFrom(words));
+TEST(CollectorMemory, NothingIsRead_WhenWordsAreMissingOrLeftOver) {
+  std::vector<std::uint32_t> memory = collectorMemory(someState());
+  for (std::size_t size = 0; size < memory.size(); ++size)
+    EXPECT_FALSE(collectorStateFrom(std::span(memory).first(size))) << size;
+  memory.push_back(0);
+  EXPECT_FALSE(collectorStateFrom(memory));
 }
 
 TEST(CollectorMemory, NothingIsRead_WhenAViewLiesOutsideOfItsImage) {

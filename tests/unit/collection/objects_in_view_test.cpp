@@ -8,15 +8,15 @@ namespace {
 constexpr RegionId kTableTop{1}, kBody{2}, kHandle{3}, kCrumb{4};
 constexpr ObjectId kTheMug{7}, kTheCrumb{9};
 
-ObjectId thingOf(RegionId region) {
+ObjectId objectOf(RegionId region) {
   if (region == kBody || region == kHandle) return kTheMug;
   return region == kCrumb ? kTheCrumb : ObjectId{};
 }
 
-/// A table of 10 x 8 pixels with a mug of two regions and a crumb, seen by one camera in depth and colour.
-class ObjectsInView : public testing::Test {
+/// A table of 10 x 8 pixels with a mug of two regions and a crumb, in depth and colour of one camera.
+class ObjectsInViewTest : public testing::Test {
  protected:
-  ObjectsInView() {
+  ObjectsInViewTest() {
     view_.K = {10, 10, 4.5F, 3.5F, 10, 8};
     view_.regions.assign(80, kTableTop);
     fill({2, 3, 3, 4}, kBody);
@@ -30,16 +30,16 @@ class ObjectsInView : public testing::Test {
         view_.regions[static_cast<std::size_t>(v * view_.K.width + u)] = region;
     }
   }
-  [[nodiscard]] std::vector<SeenObject> seen(int least_pixels) const {
-    return objectsInView(view_, in_color_, thingOf, least_pixels);
+  [[nodiscard]] std::vector<SeenObject> visibleObjects(int least_pixels) const {
+    return objectsInView(view_, in_color_, objectOf, least_pixels);
   }
 
   RenderedView view_;
   SurfaceInColor in_color_;
 };
 
-TEST_F(ObjectsInView, OneRectangleHoldsAllRegions) {
-  const std::vector<SeenObject> objects = seen(2);
+TEST_F(ObjectsInViewTest, OneRectangleHoldsAllRegions) {
+  const std::vector<SeenObject> objects = visibleObjects(2);
   ASSERT_EQ(objects.size(), 1U) << "the crumb is too small";
   const SeenObject& mug = objects.front();
   EXPECT_EQ(mug.object, kTheMug);
@@ -51,22 +51,22 @@ TEST_F(ObjectsInView, OneRectangleHoldsAllRegions) {
   EXPECT_NEAR(mug.box.height, 0.5F, 1e-6F);
 }
 
-TEST_F(ObjectsInView, OnePixelCounts_WhenThatIsEnough) {
-  const std::vector<SeenObject> objects = seen(1);
+TEST_F(ObjectsInViewTest, OnePixelCounts_WhenThatIsEnough) {
+  const std::vector<SeenObject> objects = visibleObjects(1);
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0].object, kTheMug);
   EXPECT_EQ(objects[1].object, kTheCrumb);
 }
 
-TEST_F(ObjectsInView, RectangleIsSmaller_WhenColorDoesNotShowAllOfTheObject) {
+TEST_F(ObjectsInViewTest, RectangleIsSmaller_WhenColorDoesNotShowAllOfTheObject) {
   in_color_.hidden(cv::Rect(5, 0, 1, 8)).setTo(255);  // the handle
-  const std::vector<SeenObject> objects = seen(2);
+  const std::vector<SeenObject> objects = visibleObjects(2);
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_EQ(objects.front().regions, RegionSet{kBody});
   EXPECT_NEAR(objects.front().box.width, 0.3F, 1e-6F);
 }
 
-TEST_F(ObjectsInView, NothingIsInView_WhenNoRegionIsAnObject) {
+TEST_F(ObjectsInViewTest, NothingIsInView_WhenNoRegionIsAnObject) {
   EXPECT_TRUE(objectsInView(
                   view_, in_color_, [](RegionId) { return ObjectId{}; }, 1)
                   .empty());

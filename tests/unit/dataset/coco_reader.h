@@ -8,8 +8,8 @@
 
 namespace scantrove::test {
 
-/// Word for word what COCO's own reader does: letters to runs, runs to pixels, column by column.
-inline cv::Mat decodedByTheBook(const std::string& text, int height, int width) {
+/// Follows COCO's own reader step by step: letters to runs, runs to pixels, column by column.
+inline cv::Mat decodedLikeCoco(const std::string& text, int height, int width) {
   std::vector<long> counts;
   std::size_t p = 0;
   while (p < text.size()) {

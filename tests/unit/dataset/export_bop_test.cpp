@@ -5,17 +5,10 @@
 #include "tests/unit/dataset/exported.h"
 #include "tests/unit/dataset/ply_reader.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::Exported;
-using test::iou;
-using test::Json;
-using test::kBall;
-using test::kBox;
-using test::PlyFile;
-
-SCANTROVE_EXPORTED_ONCE(BopExport, DatasetFormat::bop);
+SCANTROVE_EXPORTED_ONCE(BopExportTest, DatasetFormat::bop);
 
 Eigen::Matrix3d matrixOf(const Json& list) {
   Eigen::Matrix3d matrix;
@@ -32,7 +25,7 @@ std::string sixDigits(int number) {
   return std::string(6 - digits.size(), '0') + digits;
 }
 
-TEST_F(BopExport, HasTheFilesOfAScene) {
+TEST_F(BopExportTest, HasTheFilesOfAScene) {
   std::vector<std::string> expected{"camera.json", "labels.json", "models/models_info.json",
                                     "models/obj_000012.ply", "models/obj_000040.ply"};
   for (const char* name : {"scene_camera", "scene_gt", "scene_gt_info"})
@@ -41,15 +34,15 @@ TEST_F(BopExport, HasTheFilesOfAScene) {
     expected.push_back("000001/rgb/" + std::string(frame) + ".jpg");
     expected.push_back("000001/depth/" + std::string(frame) + ".png");
     for (const char* kind : {"mask", "mask_visib"}) {
-      for (const char* place : {"_000000.png", "_000001.png"})
-        expected.push_back("000001/" + std::string(kind) + "/" + frame + place);
+      for (const char* instance : {"_000000.png", "_000001.png"})
+        expected.push_back("000001/" + std::string(kind) + "/" + frame + instance);
     }
   }
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(exported().files(), expected);
 }
 
-TEST_F(BopExport, TheCameraIsThatOfTheColorImages) {
+TEST_F(BopExportTest, HasTheCameraOfTheColorImages) {
   const Json cameras = exported().json("000001/scene_camera.json");
   ASSERT_EQ(cameras.size(), 3U);
   const Json& camera = cameras["10"];
@@ -64,29 +57,29 @@ TEST_F(BopExport, TheCameraIsThatOfTheColorImages) {
   EXPECT_EQ(exported().json("camera.json")["width"], 640);
 }
 
-TEST_F(BopExport, ModelsAreInMillimetersUprightAndCentered) {
+TEST_F(BopExportTest, HasUprightCenteredModelsInMillimeters) {
   const Json infos = exported().json("models/models_info.json");
   const PlyFile box(exported().text("models/obj_000012.ply"));
   const Json& info = infos["12"];
-  EXPECT_NEAR(info["size_z"].get<double>(), 200, 0.1) << "it stands upright";
+  EXPECT_NEAR(info["size_z"].get<double>(), 200, 0.1) << "upright";
   EXPECT_NEAR(info["min_z"].get<double>(), -100, 0.1);
-  // About z, models are turned as the world is: its sides have the lengths of the world's axes.
+  // About z, models keep the world's orientation, so their sides are parallel to its axes.
   EXPECT_NEAR(info["size_x"].get<double>(), 180, 0.5);
   EXPECT_NEAR(info["size_y"].get<double>(), 160, 0.5);
-  EXPECT_NEAR(info["diameter"].get<double>(), 1000 * (test::kBoxHigh - test::kBoxLow).norm(), 0.1);
+  EXPECT_NEAR(info["diameter"].get<double>(), 1000 * (kBoxHigh - kBoxLow).norm(), 0.1);
   EXPECT_NEAR(infos["40"]["diameter"].get<double>(), 180, 0.1);
   for (const char* axis : {"x", "y", "z"}) {
     const auto [low, high] = std::minmax_element(box.values.at(axis).begin(), box.values.at(axis).end());
     EXPECT_NEAR(*low + *high, 0, 0.01) << axis;
   }
-  // What bop_toolkit reads of a binary PLY: float, int and uchar.
+  // bop_toolkit reads float, int and uchar from a binary PLY.
   EXPECT_EQ(box.properties, (std::vector<std::string>{"float x", "float y", "float z", "float nx", "float ny",
                                                       "float nz", "uchar red", "uchar green", "uchar blue"}));
   EXPECT_EQ(box.face_property, "list uchar int vertex_indices");
 }
 
-// Rendered where scene_gt says it is, a model lies on what was measured.
-TEST_F(BopExport, PosesAgreeWithDepth) {
+// Models rendered at the poses of scene_gt must match the measured depth.
+TEST_F(BopExportTest, PlacesModelsOnTheMeasuredDepth) {
   const Json cameras = exported().json("000001/scene_camera.json"),
              poses = exported().json("000001/scene_gt.json");
   int compared = 0;
@@ -97,7 +90,7 @@ TEST_F(BopExport, PosesAgreeWithDepth) {
     exported()
         .image("000001/depth/" + sixDigits(frame) + ".png")
         .convertTo(depth_mm, CV_32F, camera["depth_scale"].get<double>());
-    int place = 0;
+    int instance = 0;
     for (const Json& pose : poses[std::to_string(frame)]) {
       const PlyFile model(exported().text("models/obj_" + sixDigits(pose["obj_id"].get<int>()) + ".ply"));
       const Eigen::Matrix3d R = matrixOf(pose["cam_R_m2c"]);
@@ -113,7 +106,7 @@ TEST_F(BopExport, PosesAgreeWithDepth) {
         raster.add(points[static_cast<std::size_t>(face[0])], points[static_cast<std::size_t>(face[1])],
                    points[static_cast<std::size_t>(face[2])]);
       const cv::Mat visible =
-          exported().image("000001/mask_visib/" + sixDigits(frame) + "_" + sixDigits(place++) + ".png");
+          exported().image("000001/mask_visib/" + sixDigits(frame) + "_" + sixDigits(instance++) + ".png");
       int pixels = 0, close = 0;
       for (int v = 0; v < 480; ++v) {
         for (int u = 0; u < 640; ++u) {
@@ -131,38 +124,39 @@ TEST_F(BopExport, PosesAgreeWithDepth) {
   EXPECT_EQ(compared, 6);
 }
 
-TEST_F(BopExport, MasksAndTheirNumbersAreThoseOfTheScene) {
+TEST_F(BopExportTest, HasMasksAndPixelCountsOfTheScene) {
   const Json poses = exported().json("000001/scene_gt.json"),
              infos = exported().json("000001/scene_gt_info.json");
   for (const int frame : {0, 10, 20}) {
     const std::string key = std::to_string(frame);
     ASSERT_EQ(poses[key].size(), infos[key].size());
-    for (std::size_t place = 0; place < poses[key].size(); ++place) {
-      const auto region = poses[key][place]["obj_id"].get<std::uint32_t>();
-      const Json& info = infos[key][place];
-      const std::string file = "/" + sixDigits(frame) + "_" + sixDigits(static_cast<int>(place)) + ".png";
-      const cv::Mat whole = exported().image("000001/mask" + file),
+    for (std::size_t instance = 0; instance < poses[key].size(); ++instance) {
+      const auto region = poses[key][instance]["obj_id"].get<std::uint32_t>();
+      const Json& info = infos[key][instance];
+      const std::string file = "/" + sixDigits(frame) + "_" + sixDigits(static_cast<int>(instance)) + ".png";
+      const cv::Mat complete = exported().image("000001/mask" + file),
                     visible = exported().image("000001/mask_visib" + file);
-      EXPECT_GE(iou(whole, exported().scene.exactMask(frame, region, true)), 0.95);
+      EXPECT_GE(iou(complete, exported().scene.exactMask(frame, region, true)), 0.95);
       EXPECT_GE(iou(visible, exported().scene.exactMask(frame, region)), 0.95);
-      EXPECT_EQ(cv::countNonZero(visible & ~whole), 0);
+      EXPECT_EQ(cv::countNonZero(visible & ~complete), 0);
       EXPECT_EQ(info["px_count_visib"], cv::countNonZero(visible));
-      EXPECT_EQ(info["px_count_all"], cv::countNonZero(whole)) << "all of it is in the image";
+      EXPECT_EQ(info["px_count_all"], cv::countNonZero(complete)) << "the object is entirely in the image";
       EXPECT_NEAR(info["visib_fract"].get<double>(),
-                  double(cv::countNonZero(visible)) / cv::countNonZero(whole), 1e-9);
-      const cv::Rect box = boxOf(visible), whole_box = boxOf(whole);
+                  double(cv::countNonZero(visible)) / cv::countNonZero(complete), 1e-9);
+      const cv::Rect box = boxOf(visible), complete_box = boxOf(complete);
       EXPECT_EQ(info["bbox_visib"], Json({box.x, box.y, box.width, box.height}));
-      EXPECT_EQ(info["bbox_obj"], Json({whole_box.x, whole_box.y, whole_box.width, whole_box.height}));
+      EXPECT_EQ(info["bbox_obj"],
+                Json({complete_box.x, complete_box.y, complete_box.width, complete_box.height}));
       const cv::Mat depth = exported().image("000001/depth/" + sixDigits(frame) + ".png");
-      EXPECT_EQ(info["px_count_valid"], cv::countNonZero((depth > 0) & whole));
+      EXPECT_EQ(info["px_count_valid"], cv::countNonZero((depth > 0) & complete));
     }
   }
 }
 
-TEST(BopExportOptions, ARegionIsOneInstance_HoweverManyPiecesItHas) {
-  const Exported exported(DatasetFormat::bop, [](test::ScannedScene& scene) {
+TEST(BopExport, HasOneInstance_WhenARegionHasTwoPieces) {
+  const Exported exported(DatasetFormat::bop, [](ScannedScene& scene) {
     scene.frames = 1;
-    scene.parted = kBox;
+    scene.divided = kBox;
     scene.labels[0].object = 3;  // the ball belongs to the object of the box
   });
   std::multiset<std::uint32_t> regions;
@@ -171,8 +165,8 @@ TEST(BopExportOptions, ARegionIsOneInstance_HoweverManyPiecesItHas) {
   EXPECT_EQ(regions, (std::multiset<std::uint32_t>{kBox, kBall}));
 }
 
-TEST(BopExportOptions, DepthKeepsItsUnits) {
-  const Exported fine(DatasetFormat::bop, [](test::ScannedScene& scene) {
+TEST(BopExport, KeepsTheUnitsOfDepth) {
+  const Exported fine(DatasetFormat::bop, [](ScannedScene& scene) {
     scene.frames = 1;
     scene.meters_per_unit = 0.0002F;
   });
@@ -180,10 +174,10 @@ TEST(BopExportOptions, DepthKeepsItsUnits) {
   EXPECT_EQ(camera["depth_scale"], 0.2);
   const cv::Mat depth = fine.image("000001/depth/000000.png");
   const double z_mm = depth.at<std::uint16_t>(240, 320) * 0.2;
-  const auto exact = test::Shapes().renderView(fine.scene.K_color,
-                                               fine.scene.poseOf(0) * fine.scene.T_color_depth.inverse());
+  const auto exact =
+      Shapes().renderView(fine.scene.K_color, fine.scene.poseOf(0) * fine.scene.T_color_depth.inverse());
   EXPECT_NEAR(z_mm, 1000 * exact.depth_m.at<float>(240, 320), 10);
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

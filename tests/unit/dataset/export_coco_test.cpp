@@ -6,31 +6,23 @@
 #include "tests/unit/dataset/coco_reader.h"
 #include "tests/unit/dataset/exported.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::Exported;
-using test::iou;
-using test::Json;
-using test::kBall;
-using test::kBlock;
-using test::kBox;
-using test::kTable;
-
-SCANTROVE_EXPORTED_ONCE(CocoExport, DatasetFormat::coco);
+SCANTROVE_EXPORTED_ONCE(CocoExportTest, DatasetFormat::coco);
 
 cv::Mat maskOfAnnotation(const Json& annotation) {
   const auto& size = annotation["segmentation"]["size"];
-  return test::decodedByTheBook(annotation["segmentation"]["counts"].get<std::string>(), size[0].get<int>(),
-                                size[1].get<int>());
+  return decodedLikeCoco(annotation["segmentation"]["counts"].get<std::string>(), size[0].get<int>(),
+                         size[1].get<int>());
 }
 
-TEST_F(CocoExport, HasTheFilesAndTheRecordedImages) {
+TEST_F(CocoExportTest, HasTheFilesAndTheRecordedImages) {
   EXPECT_EQ(exported().files(), (std::vector<std::string>{"annotations/instances.json", "images/000000.jpg",
                                                           "images/000010.jpg", "images/000020.jpg"}));
   for (const int frame : {0, 10, 20}) {
     const std::string name = "images/0000" + std::string(frame == 0 ? "00" : std::to_string(frame)) + ".jpg";
-    EXPECT_EQ(exported().text(name), test::readText(exported().scene.fileOf(frame))) << "not the same bytes";
+    EXPECT_EQ(exported().text(name), readText(exported().scene.fileOf(frame))) << "not the same bytes";
   }
   EXPECT_EQ(exported().summary.images, 3);
   EXPECT_EQ(exported().summary.regions, 2);
@@ -39,7 +31,7 @@ TEST_F(CocoExport, HasTheFilesAndTheRecordedImages) {
   EXPECT_EQ(exported().summary.folder, std::filesystem::canonical(exported().home / "out"));
 }
 
-TEST_F(CocoExport, TablesReferToEachOther) {
+TEST_F(CocoExportTest, TablesReferToEachOther) {
   const Json file = exported().json("annotations/instances.json");
   std::set<int> images, categories, annotations;
   for (const Json& image : file["images"]) {
@@ -57,19 +49,19 @@ TEST_F(CocoExport, TablesReferToEachOther) {
     EXPECT_TRUE(categories.contains(annotation["category_id"].get<int>()));
     EXPECT_EQ(annotation["iscrowd"], 0);
   }
-  EXPECT_FALSE(annotations.contains(0)) << "COCO's evaluation takes 0 for no match";
+  EXPECT_FALSE(annotations.contains(0)) << "0 means no match in COCO's evaluation";
 }
 
-TEST_F(CocoExport, NamesComeOutAsTheyWereTyped) {
+TEST_F(CocoExportTest, KeepsNamesAsTyped) {
   const Json file = exported().json("annotations/instances.json");
   ASSERT_EQ(file["categories"].size(), 2U);
-  EXPECT_EQ(file["categories"][0]["name"], "ball") << "the name, where there is no category";
+  EXPECT_EQ(file["categories"][0]["name"], "ball") << "the name in place of a missing category";
   EXPECT_EQ(file["categories"][1]["name"], "box");
   for (const Json& annotation : file["annotations"]) {
     const Json& attributes = annotation["attributes"];
     if (attributes["region"] == kBox) {
       EXPECT_EQ(attributes["object"], 3);
-      EXPECT_EQ(attributes["name"], test::kBoxName);
+      EXPECT_EQ(attributes["name"], kBoxName);
       EXPECT_EQ(annotation["category_id"], file["categories"][1]["id"]);
     } else {
       EXPECT_EQ(attributes["region"], kBall);
@@ -79,7 +71,7 @@ TEST_F(CocoExport, NamesComeOutAsTheyWereTyped) {
   }
 }
 
-TEST_F(CocoExport, MasksAreThoseOfTheScene) {
+TEST_F(CocoExportTest, HasMasksOfTheScene) {
   const Json file = exported().json("annotations/instances.json");
   for (const Json& annotation : file["annotations"]) {
     const cv::Mat mask = maskOfAnnotation(annotation);
@@ -92,9 +84,9 @@ TEST_F(CocoExport, MasksAreThoseOfTheScene) {
   }
 }
 
-TEST(CocoExportOptions, WithBackgroundAlsoWhatWasSetAside) {
+TEST(CocoExport, IncludesBackgroundAndRejectedRegions_WhenRequested) {
   const Exported with(
-      DatasetFormat::coco, [](test::ScannedScene& scene) { scene.frames = 1; }, true);
+      DatasetFormat::coco, [](ScannedScene& scene) { scene.frames = 1; }, true);
   std::set<std::uint32_t> regions;
   const Json file = with.json("annotations/instances.json");
   for (const Json& annotation : file["annotations"])
@@ -105,10 +97,10 @@ TEST(CocoExportOptions, WithBackgroundAlsoWhatWasSetAside) {
   EXPECT_EQ(categories, (std::set<std::string>{"background", "ball", "box", "rejected"}));
 }
 
-TEST(CocoExportOptions, ARegionIsOneAnnotation_HoweverManyPiecesItHas) {
-  const Exported exported(DatasetFormat::coco, [](test::ScannedScene& scene) {
+TEST(CocoExport, HasOneAnnotation_WhenARegionHasTwoPieces) {
+  const Exported exported(DatasetFormat::coco, [](ScannedScene& scene) {
     scene.frames = 1;
-    scene.parted = kBox;
+    scene.divided = kBox;
     scene.labels[0].object = 3;  // the ball belongs to the object of the box
   });
   const Json file = exported.json("annotations/instances.json");
@@ -118,10 +110,10 @@ TEST(CocoExportOptions, ARegionIsOneAnnotation_HoweverManyPiecesItHas) {
   EXPECT_EQ(regions, (std::multiset<std::uint32_t>{kBox, kBall}));
 }
 
-TEST(CocoExportOptions, AllFramesAreMore) {
-  test::ScannedScene scene;
+TEST(CocoExport, IncludesAllFrames_WhenRequested) {
+  ScannedScene scene;
   scene.frames = 4;
-  const test::TemporaryFolder home;
+  const TemporaryFolder home;
   const auto key = exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "key"});
   const auto all =
       exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "all", .all_frames = true});
@@ -131,4 +123,4 @@ TEST(CocoExportOptions, AllFramesAreMore) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

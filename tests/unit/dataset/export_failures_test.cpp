@@ -10,19 +10,16 @@
 
 #include "tests/unit/dataset/exported.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::Exported;
-using test::ScannedScene;
-using test::TemporaryFolder;
 
 constexpr DatasetFormat kAll[] = {DatasetFormat::coco,  DatasetFormat::bop, DatasetFormat::yolo,
                                   DatasetFormat::masks, DatasetFormat::ply, DatasetFormat::pcd,
                                   DatasetFormat::mesh,  DatasetFormat::tum, DatasetFormat::scannet};
 
-/// Small enough to be exported often.
+/// A scene small enough for many exports.
 struct SmallScene : ScannedScene {
   SmallScene() {
     K_depth = K_depth.resizedTo(80, 60);
@@ -37,14 +34,14 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(ExportFormats, HaveNames) {
+TEST(ParseDatasetFormat, RecognizesAllNames) {
   for (const DatasetFormat format : kAll) EXPECT_EQ(parseDatasetFormat(nameOf(format)), format);
   const auto unknown = parseDatasetFormat("voc");
   ASSERT_FALSE(unknown);
   EXPECT_TRUE(contains(unknown.error().message(), "'voc'") && contains(unknown.error().message(), "scannet"));
 }
 
-TEST(ExportFormats, AllOfThemCanBeWritten) {
+TEST(ExportFormats, AreAllWritten) {
   SmallScene scene;
   const TemporaryFolder home;
   for (const DatasetFormat format : kAll) {
@@ -65,7 +62,7 @@ TEST(ExportFormats, AllOfThemCanBeWritten) {
   EXPECT_EQ(std::distance(fs::directory_iterator(home.path()), fs::directory_iterator()), std::ssize(kAll));
 }
 
-TEST(ExportPreview, CountsWhatWouldCome) {
+TEST(PreviewExport, CountsImagesRegionsAndMegabytes) {
   SmallScene scene;
   scene.without_color = {10};
   const auto preview = previewExport(scene, {.format = DatasetFormat::coco, .folder = {}});
@@ -77,17 +74,17 @@ TEST(ExportPreview, CountsWhatWouldCome) {
             4);
 }
 
-TEST(ExportFailure, AFolderWithSomethingInItIsRefused) {
+TEST(ExportDataset, RefusesAFolder_WhenItIsNotEmpty) {
   SmallScene scene;
   const TemporaryFolder home;
-  home.write("out/thesis.txt", "mine");
+  home.write("out/report.txt", "mine");
   const auto result = exportDataset(scene, {.format = DatasetFormat::tum, .folder = home / "out"});
   ASSERT_FALSE(result);
   EXPECT_TRUE(contains(result.error().what, (home / "out").string())) << result.error().message();
-  EXPECT_EQ(Exported::filesIn(home.path()), std::vector<std::string>{"out/thesis.txt"});
+  EXPECT_EQ(Exported::filesIn(home.path()), std::vector<std::string>{"out/report.txt"});
 }
 
-TEST(ExportFailure, CancelledAnywhereLeavesNothing) {
+TEST(ExportDataset, LeavesNothing_WhenCanceled) {
   SmallScene scene;
   const TemporaryFolder home;
   for (const DatasetFormat format : kAll) {
@@ -100,7 +97,7 @@ TEST(ExportFailure, CancelledAnywhereLeavesNothing) {
             if (++steps == last) stop.request_stop();
           },
           stop.get_token());
-      if (result) {  // it had fewer steps
+      if (result) {  // the export had fewer steps
         fs::remove_all(home / "out");
         continue;
       }
@@ -110,7 +107,7 @@ TEST(ExportFailure, CancelledAnywhereLeavesNothing) {
   }
 }
 
-TEST(ExportFailure, WithoutRegionsSaysHowToGetSome) {
+TEST(ExportDataset, AdvisesBackground_WithoutLabeledRegions) {
   SmallScene scene;
   for (LabeledRegion& region : scene.labels) {
     region.name.clear();
@@ -125,14 +122,14 @@ TEST(ExportFailure, WithoutRegionsSaysHowToGetSome) {
       EXPECT_TRUE(contains(result.error().advice, "--background"));
       EXPECT_FALSE(fs::exists(home / nameOf(format)));
     } else {
-      EXPECT_TRUE(result) << nameOf(format) << " has a surface and a way all the same";
+      EXPECT_TRUE(result) << nameOf(format) << " needs only the surface or the trajectory";
     }
   }
   scene.labels.clear();
   EXPECT_TRUE(exportDataset(scene, {.format = DatasetFormat::scannet, .folder = home / "none"}));
 }
 
-TEST(ExportFailure, UnusableKeyFramesAreNamedAndTheOthersGoOn) {
+TEST(ExportDataset, SkipsKeyFrames_WhenTheyAreUnusable) {
   SmallScene scene;
   scene.frames = 7;  // key frames 0, 20, 40, 60
   scene.without_color = {0};
@@ -149,7 +146,7 @@ TEST(ExportFailure, UnusableKeyFramesAreNamedAndTheOthersGoOn) {
   EXPECT_EQ(Exported::filesIn(home / "out" / "images"), std::vector<std::string>{"000060.jpg"});
 }
 
-TEST(ExportFailure, WithoutAnyUsableKeyFrameThereIsNoDataSet) {
+TEST(ExportDataset, Fails_WithoutUsableKeyFrames) {
   SmallScene scene;
   scene.without_color = {0, 10};
   const TemporaryFolder home;
@@ -163,7 +160,7 @@ TEST(ExportFailure, WithoutAnyUsableKeyFrameThereIsNoDataSet) {
   EXPECT_TRUE(exportDataset(scene, {.format = DatasetFormat::mesh, .folder = home / "out"}));
 }
 
-TEST(ExportFailure, ADamagedMapIsSaidInItsWords) {
+TEST(ExportDataset, NamesTheFile_WhenTheMapIsDamaged) {
   SmallScene scene;
   scene.map_is_damaged = true;
   const TemporaryFolder home;
@@ -173,10 +170,10 @@ TEST(ExportFailure, ADamagedMapIsSaidInItsWords) {
   EXPECT_TRUE(fs::is_empty(home.path()));
 }
 
-TEST(ExportFailure, AnExceptionOfALibraryIsAnErrorToo) {
+TEST(ExportDataset, ReturnsAnError_WhenALibraryThrows) {
   SmallScene scene;
-  scene.on_look = [](int look) {
-    if (look == 2) throw std::runtime_error("out of device memory");
+  scene.on_render = [](int view) {
+    if (view == 2) throw std::runtime_error("out of device memory");
   };
   const TemporaryFolder home;
   const auto result = exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "out"});
@@ -186,16 +183,16 @@ TEST(ExportFailure, AnExceptionOfALibraryIsAnErrorToo) {
   EXPECT_TRUE(fs::is_empty(home.path()));
 }
 
-TEST(ExportFailure, AFolderThatCannotBeWrittenToIsNamed) {
+TEST(ExportDataset, NamesTheFolder_WhenItIsNotWritable) {
   SmallScene scene;
-  // Permissions do not bind the superuser; nobody creates files in /proc.
+  // Root ignores permissions, but cannot create files in /proc either.
   const auto result = exportDataset(scene, {.format = DatasetFormat::tum, .folder = "/proc/out"});
   ASSERT_FALSE(result);
   EXPECT_TRUE(contains(result.error().what, "/proc/out")) << result.error().message();
   EXPECT_FALSE(result.error().advice.empty());
 }
 
-/// A disk of a given size; needs the rights to mount one.
+/// A disk of a given size; needs the right to mount.
 class SmallDisk {
  public:
   explicit SmallDisk(const std::string& kilobytes) {
@@ -225,11 +222,10 @@ void expectFullDisk(const Result<ExportSummary>& result, const fs::path& folder,
   EXPECT_TRUE(fs::is_empty(folder)) << nameOf(format);
 }
 
-TEST(ExportFailure, AFullDiskLeavesNothing) {
+TEST(ExportDataset, LeavesNothing_WhenTheDiskIsFull) {
   const SmallDisk disk("24");
   if (!disk.isThere()) {
-    std::cerr
-        << "NOT TESTED: a full disk, for no tmpfs can be mounted here (not root). The next test stands in.\n";
+    std::cerr << "NOT TESTED: a full disk. Mounting a tmpfs needs root; the next test replaces this one.\n";
     GTEST_SKIP() << "no tmpfs can be mounted here";
   }
   SmallScene scene;
@@ -241,15 +237,15 @@ TEST(ExportFailure, AFullDiskLeavesNothing) {
   }
 }
 
-TEST(ExportFailure, AFileThatCannotBeFinishedLeavesNothing) {
+TEST(ExportDataset, LeavesNothing_WhenAFileReachesItsSizeLimit) {
   SmallScene scene;
-  (void)scene.keyFrames(false);  // its images are there before the limit is
+  (void)scene.keyFrames(false);  // writes its images before the limit applies
   const TemporaryFolder home;
   for (const DatasetFormat format : kAll) {
     rlimit before{};
     ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
     std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit small{500, before.rlim_max};  // stands in for the full disk
+    const rlimit small{500, before.rlim_max};  // replaces a full disk
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     const auto result = exportDataset(scene, {.format = format, .folder = home / "out"});
     setrlimit(RLIMIT_FSIZE, &before);
@@ -258,11 +254,11 @@ TEST(ExportFailure, AFileThatCannotBeFinishedLeavesNothing) {
   }
 }
 
-TEST(ExportFailure, WhatDoesNotReadBackIsNotDone) {
+TEST(ExportDataset, Fails_WhenAFileDoesNotReadBack) {
   SmallScene scene;
   const TemporaryFolder home;
-  scene.on_look = [&](int look) {  // the disk loses the first image while the second is made
-    if (look != 2) return;
+  scene.on_render = [&](int view) {  // truncates the first image while the second is rendered
+    if (view != 2) return;
     for (const std::string& name : Exported::filesIn(home.path())) {
       if (name.ends_with("000000.jpg")) fs::resize_file(home / name, 100);
     }
@@ -274,14 +270,14 @@ TEST(ExportFailure, WhatDoesNotReadBackIsNotDone) {
   EXPECT_TRUE(fs::is_empty(home.path()));
 }
 
-TEST(ExportFailure, KilledLeavesNothingUnderItsName) {
+TEST(ExportDataset, LeavesNoTargetFolder_WhenKilled) {
   const TemporaryFolder home;
   SmallScene scene;
-  cv::setNumThreads(1);  // a child has no threads but its own
+  cv::setNumThreads(1);  // fork() copies only the calling thread
   const pid_t child = fork();
   if (child == 0) {
-    scene.on_look = [](int look) {
-      if (look == 2) ::kill(::getpid(), SIGKILL);
+    scene.on_render = [](int view) {
+      if (view == 2) ::kill(::getpid(), SIGKILL);
     };
     (void)exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "out"});
     _exit(0);
@@ -291,11 +287,11 @@ TEST(ExportFailure, KilledLeavesNothingUnderItsName) {
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_FALSE(fs::exists(home / "out"));
   cv::setNumThreads(-1);
-  EXPECT_FALSE(fs::is_empty(home.path())) << "it was in the middle of it";
+  EXPECT_FALSE(fs::is_empty(home.path())) << "the export had begun";
   ASSERT_TRUE(exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "out"}));
   EXPECT_EQ(std::distance(fs::directory_iterator(home.path()), fs::directory_iterator()), 1)
-      << "it cleans up";
+      << "the next export removes the remains";
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

@@ -1,4 +1,4 @@
-// Colour images as they leave: upright by what they say of themselves, 8-bit RGB.
+// Exported colour images are upright without an orientation tag, and 8-bit RGB.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -7,20 +7,15 @@
 #include "tests/support/oriented_image.h"
 #include "tests/unit/dataset/exported.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
-
-using test::encoded;
-using test::Exported;
-using test::readText;
 
 constexpr std::array kImageFormats{DatasetFormat::coco, DatasetFormat::bop, DatasetFormat::yolo,
                                    DatasetFormat::masks};
 
-/// One key frame whose colour image has these bytes.
-std::function<void(test::ScannedScene&)> withImage(
-    const std::function<std::string(const std::string&)>& make) {
-  return [make](test::ScannedScene& scene) {
+/// One key frame whose colour image is `make(recorded bytes)`.
+std::function<void(ScannedScene&)> withImage(const std::function<std::string(const std::string&)>& make) {
+  return [make](ScannedScene& scene) {
     scene.frames = 1;
     const auto file = (*scene.keyFrames(true)).front().color_file;
     const std::string recorded = readText(file);
@@ -40,38 +35,39 @@ std::string imageOf(const Exported& exported) {
   return found.empty() ? "" : found.front();
 }
 
-TEST(ExportedImages, AreNotTurnedByTheirOrientation) {
+TEST(ExportedImages, LoseTheirOrientationTagWithoutRecompression) {
   for (const DatasetFormat format : kImageFormats) {
     for (const bool is_big_endian : {false, true}) {
       std::string recorded;
       const Exported exported(format, withImage([&](const std::string& jpeg) {
-                                return recorded = test::withExif(jpeg, is_big_endian, 6);
+                                return recorded = withExif(jpeg, is_big_endian, 6);
                               }));
-      ASSERT_EQ(test::decodeUpright(recorded).size(), cv::Size(480, 640)) << "the input is turned";
+      ASSERT_EQ(decodeUpright(recorded).size(), cv::Size(480, 640))
+          << "other programs rotate the recorded image";
       const std::string written = exported.text(imageOf(exported));
-      EXPECT_EQ(test::decodeUpright(written).size(), cv::Size(640, 480));
-      EXPECT_EQ(written.substr(0, 3), "\xFF\xD8\xFF") << "no pixel is compressed anew";
+      EXPECT_EQ(decodeUpright(written).size(), cv::Size(640, 480));
+      EXPECT_EQ(written.substr(0, 3), "\xFF\xD8\xFF") << "the image is not recompressed";
       const std::string scan_of_recorded = recorded.substr(recorded.find("\xFF\xDA"));
       EXPECT_TRUE(written.ends_with(scan_of_recorded));
     }
   }
 }
 
-TEST(ExportedImages, StayTheSameBytes_WhenTheyAreUpright) {
+TEST(ExportedImages, KeepTheirBytes_WhenUpright) {
   std::string recorded;
   const Exported exported(DatasetFormat::coco, withImage([&](const std::string& jpeg) {
-                            return recorded = test::withExif(jpeg, true, 1);
+                            return recorded = withExif(jpeg, true, 1);
                           }));
   EXPECT_TRUE(exported.text(imageOf(exported)) == recorded) << "not the same bytes";
 }
 
-TEST(ExportedImages, AreRgbOfEightBits) {
+TEST(ExportedImages, AreEightBitRgb_WhenRecordedWithOtherChannels) {
   const auto colorType = [](const std::string& png) {
     return std::pair(static_cast<int>(png[24]), static_cast<int>(png[25]));
   };
   for (const DatasetFormat format : kImageFormats) {
     for (const int type : {CV_8UC4, CV_16UC3, CV_16UC4, CV_8UC1, CV_16UC1}) {
-      if (format != DatasetFormat::coco && type != CV_16UC4) continue;  // they share how an image is taken
+      if (format != DatasetFormat::coco && type != CV_16UC4) continue;  // formats share the conversion
       SCOPED_TRACE(std::to_string(static_cast<int>(format)) + " type " + std::to_string(type));
       std::string recorded;
       const Exported exported(format, withImage([&](const std::string&) {
@@ -86,19 +82,19 @@ TEST(ExportedImages, AreRgbOfEightBits) {
       const auto shown = decodeColorImage(
           {reinterpret_cast<const std::uint8_t*>(recorded.data()), recorded.size()}, "recorded");
       ASSERT_TRUE(shown);
-      EXPECT_EQ(cv::norm(test::decodeUpright(written), *shown, cv::NORM_INF), 0);
+      EXPECT_EQ(cv::norm(decodeUpright(written), *shown, cv::NORM_INF), 0);
     }
   }
 }
 
-TEST(ExportedImages, OfAGrayJpegAreRgb) {
+TEST(ExportedImages, AreRgb_WhenRecordedAsGrayJpeg) {
   const Exported exported(DatasetFormat::bop, withImage([](const std::string&) {
                             return encoded(".jpg", cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
                           }));
   EXPECT_EQ(exported.image(imageOf(exported)).type(), CV_8UC3);
 }
 
-TEST(ExportedImages, KeepAPlainPng) {
+TEST(ExportedImages, KeepTheirBytes_WhenRecordedAsRgbPng) {
   std::string recorded;
   const Exported exported(DatasetFormat::yolo, withImage([&](const std::string&) {
                             cv::Mat image(480, 640, CV_8UC3);
@@ -109,4 +105,4 @@ TEST(ExportedImages, KeepAPlainPng) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

@@ -2,23 +2,18 @@
 
 #include "tests/unit/dataset/exported.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::iou;
-using test::kBall;
-using test::kBox;
-using test::ScannedScene;
-
-/// Where two pictures differ clearly: what was drawn over one of them.
+/// Pixels where two pictures differ clearly: those drawn over in one of them.
 cv::Mat difference(const cv::Mat& a, const cv::Mat& b) {
-  cv::Mat off, most;
-  cv::absdiff(a, b, off);
-  cv::transform(off, most, cv::Matx13f(1, 1, 1));
-  return most > 40;
+  cv::Mat channels, sum;
+  cv::absdiff(a, b, channels);
+  cv::transform(channels, sum, cv::Matx13f(1, 1, 1));
+  return sum > 40;
 }
 
-TEST(ExportSample, ShowsTheMasksThatAreWrittenOverTheColorImage) {
+TEST(ExportSample, ShowsTheExportedMasksOverTheColorImage) {
   ScannedScene scene;
   const auto sample = sampleExport(scene, {.format = DatasetFormat::coco, .folder = {}}, 1);
   ASSERT_TRUE(sample) << sample.error().message();
@@ -34,12 +29,12 @@ TEST(ExportSample, ShowsTheMasksThatAreWrittenOverTheColorImage) {
   EXPECT_GT(iou(drawn, requested), 0.85);
 }
 
-TEST(ExportSample, FollowsWhatIsAskedFor) {
+TEST(ExportSample, FollowsFormatBackgroundAndPosition) {
   ScannedScene scene;
   const auto more =
       sampleExport(scene, {.format = DatasetFormat::masks, .folder = {}, .background = true}, 0);
   ASSERT_TRUE(more);
-  EXPECT_EQ(more->masks, 4) << "the table and the block, too";
+  EXPECT_EQ(more->masks, 4) << "with the table and the block";
   const auto middle = sampleExport(scene, {.format = DatasetFormat::yolo, .folder = {}}, std::nullopt);
   ASSERT_TRUE(middle);
   EXPECT_EQ(middle->place, 1);
@@ -52,7 +47,7 @@ TEST(ExportSample, FollowsWhatIsAskedFor) {
   EXPECT_TRUE(mesh->picture.empty());
 }
 
-TEST(ExportSample, WithoutColorShowsDepthAndOnlyWhereTheFormatDoes) {
+TEST(ExportSample, ShowsDepth_WithoutColor_WhenTheFormatAllowsIt) {
   ScannedScene scene;
   scene.without_color = {0, 10, 20};
   const auto masks = sampleExport(scene, {.format = DatasetFormat::masks, .folder = {}}, 0);
@@ -64,7 +59,7 @@ TEST(ExportSample, WithoutColorShowsDepthAndOnlyWhereTheFormatDoes) {
   EXPECT_EQ(coco->count, 0);
 }
 
-TEST(ExportSample, SaysWhatIsTheMatterWithAnImage) {
+TEST(ExportSample, NamesTheFile_WhenAnImageIsDamaged) {
   ScannedScene scene;
   scene.with_damaged_depth = {10};
   const auto sample = sampleExport(scene, {.format = DatasetFormat::coco, .folder = {}}, 1);
@@ -76,4 +71,4 @@ TEST(ExportSample, SaysWhatIsTheMatterWithAnImage) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

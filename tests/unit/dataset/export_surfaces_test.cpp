@@ -12,16 +12,9 @@
 #include "tests/unit/dataset/exported.h"
 #include "tests/unit/dataset/ply_reader.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::Exported;
-using test::Json;
-using test::kBall;
-using test::kBlock;
-using test::kBox;
-using test::kTable;
-using test::PlyFile;
 using PclLabeled = pcl::PointCloud<pcl::PointXYZRGBL>;
 
 void expectSame(const PclLabeled& cloud, const LabeledMesh& truth) {
@@ -42,12 +35,12 @@ TEST(PlyExport, ReadsBackInPcl) {
   expectSame(cloud, truth);
   const PlyFile ply(exported.text("cloud.ply"));
   EXPECT_EQ(ply.values.at("nz").back(), double{truth.vertices.back().normal_world.z()});
-  EXPECT_EQ(exported.json("labels.json").size(), 5U) << "all regions, those without a name too";
+  EXPECT_EQ(exported.json("labels.json").size(), 5U) << "all regions, including unnamed ones";
   EXPECT_EQ(exported.summary.points, truth.vertices.size());
 }
 
-TEST(PlyFile, DataDoNotBeginLikeTheEndOfALine) {
-  // assimp skips line ends behind the header; what follows was read one byte too early, and refused.
+TEST(EncodePly, DataNeverBeginWithALineFeed) {
+  // assimp skips line ends after the header, so data that begin with one would be misread and refused.
   LabeledMesh mesh;
   mesh.vertices.resize(3);
   mesh.vertices[0].position_world_m = {std::bit_cast<float>(0x3f80000aU), 2, 3};
@@ -58,10 +51,10 @@ TEST(PlyFile, DataDoNotBeginLikeTheEndOfALine) {
   float first = 0;
   std::memcpy(&first, bytes.data() + data, sizeof first);
   EXPECT_NE(bytes[data], '\n');
-  EXPECT_EQ(first, std::bit_cast<float>(0x3f80000bU));  // the number next to it
+  EXPECT_EQ(first, std::bit_cast<float>(0x3f80000bU));  // the next representable number
   constexpr std::size_t kVertexBytes = 6 * sizeof(float) + 3 + sizeof(std::uint32_t);
   std::memcpy(&first, bytes.data() + data + kVertexBytes, sizeof first);
-  EXPECT_EQ(first, mesh.vertices[1].position_world_m.x()) << "of the others none is touched";
+  EXPECT_EQ(first, mesh.vertices[1].position_world_m.x()) << "other vertices are unchanged";
 }
 
 TEST(PcdExport, ReadsBackInPclWithTheFirstCamera) {
@@ -74,7 +67,7 @@ TEST(PcdExport, ReadsBackInPclWithTheFirstCamera) {
   EXPECT_LT((cloud.sensor_orientation_.toRotationMatrix().cast<double>() - first.linear()).norm(), 1e-5);
 }
 
-TEST(TumExport, IsTheTrajectory) {
+TEST(TumExport, ReadsBackAsTheTrajectory) {
   Exported exported(DatasetFormat::tum);
   const auto poses = readTumTrajectory(exported.file("trajectory.txt"));
   ASSERT_TRUE(poses);
@@ -83,30 +76,30 @@ TEST(TumExport, IsTheTrajectory) {
   EXPECT_TRUE((*poses)[7].T_world_camera.isApprox(exported.scene.poseOf(7), 1e-6));
 }
 
-SCANTROVE_EXPORTED_ONCE(MeshExport, DatasetFormat::mesh);
+SCANTROVE_EXPORTED_ONCE(MeshExportTest, DatasetFormat::mesh);
 
-TEST_F(MeshExport, IsTheWholeAndOneFileAnObject) {
+TEST_F(MeshExportTest, HasTheSceneAndAFileForEachObject) {
   const std::string box = "objects/000012_Kiste__groß____箱_📦";
   EXPECT_EQ(exported().files(),
             (std::vector<std::string>{"labels.json", box + ".glb", box + ".obj", box + ".ply",
                                       "objects/000040_ball.glb", "objects/000040_ball.obj",
                                       "objects/000040_ball.ply", "scene.glb", "scene.obj", "scene.ply"}));
-  test::ScannedScene scene;
+  ScannedScene scene;
   const LabeledMesh truth = *scene.mesh();
-  const PlyFile whole(exported().text("scene.ply"));
-  EXPECT_EQ(whole.size(), truth.vertices.size());
-  EXPECT_EQ(whole.faces.size(), truth.faces.size());
+  const PlyFile complete(exported().text("scene.ply"));
+  EXPECT_EQ(complete.size(), truth.vertices.size());
+  EXPECT_EQ(complete.faces.size(), truth.faces.size());
   const PlyFile ball(exported().text("objects/000040_ball.ply"));
   EXPECT_EQ(ball.size(), 25U * 49U);
   EXPECT_EQ(ball.faces.size(), 24U * 48U * 2U);
   for (std::size_t i = 0; i < ball.size(); ++i) {
     const Eigen::Vector3d p(ball.values.at("x")[i], ball.values.at("y")[i], ball.values.at("z")[i]);
-    ASSERT_NEAR((p - test::kBallCenter).norm(), test::kBallRadius, 1e-6);
+    ASSERT_NEAR((p - kBallCenter).norm(), kBallRadius, 1e-6);
     ASSERT_EQ(ball.values.at("label")[i], kBall);
   }
 }
 
-TEST_F(MeshExport, ObjHasTheSameSurface) {
+TEST_F(MeshExportTest, ObjHasTheSameSurface) {
   std::istringstream lines(exported().text("objects/000040_ball.obj"));
   int vertices = 0, normals = 0, faces = 0, largest = 0;
   Eigen::Vector3f colors = Eigen::Vector3f::Zero();
@@ -118,7 +111,7 @@ TEST_F(MeshExport, ObjHasTheSameSurface) {
       Eigen::Vector3f p, c;
       words >> p.x() >> p.y() >> p.z() >> c.x() >> c.y() >> c.z();
       ASSERT_TRUE(words) << line;
-      EXPECT_NEAR((p.cast<double>() - test::kBallCenter).norm(), test::kBallRadius, 1e-5);
+      EXPECT_NEAR((p.cast<double>() - kBallCenter).norm(), kBallRadius, 1e-5);
       colors += c;
       ++vertices;
     } else if (kind == "vn") {
@@ -154,8 +147,8 @@ Json jsonOfGlb(const std::string& bytes) {
   return Json::parse(bytes.substr(20, numberAt<std::uint32_t>(bytes, 12)));
 }
 
-// By the specification of glTF 2.0, sections 3.6, 3.7.2 and 4.4, from the bytes.
-TEST_F(MeshExport, GlbIsMadeAsTheSpecificationSays) {
+// Checks the bytes against glTF 2.0, sections 3.6, 3.7.2 and 4.4.
+TEST_F(MeshExportTest, GlbFollowsTheSpecification) {
   const std::string bytes = exported().text("scene.glb");
   EXPECT_EQ(bytes.substr(0, 4), "glTF");
   EXPECT_EQ(numberAt<std::uint32_t>(bytes, 4), 2U);
@@ -174,7 +167,7 @@ TEST_F(MeshExport, GlbIsMadeAsTheSpecificationSays) {
   EXPECT_EQ(json["buffers"][0]["byteLength"], binary_bytes);
   ASSERT_EQ(json["scenes"][json["scene"].get<std::size_t>()]["nodes"].size(), 3U);
   EXPECT_EQ(json["nodes"][0]["name"], "scene");
-  EXPECT_EQ(json["nodes"][1]["name"], test::kBoxName);
+  EXPECT_EQ(json["nodes"][1]["name"], kBoxName);
   EXPECT_EQ(json["nodes"][1]["extras"]["region"], kBox);
   EXPECT_EQ(json["nodes"][2]["name"], "ball");
 
@@ -215,7 +208,7 @@ TEST_F(MeshExport, GlbIsMadeAsTheSpecificationSays) {
       EXPECT_EQ(positions["min"][static_cast<std::size_t>(k)].get<float>(), box.min()[k]);
       EXPECT_EQ(positions["max"][static_cast<std::size_t>(k)].get<float>(), box.max()[k]);
     }
-    if (mesh["name"] == test::kBoxName) {
+    if (mesh["name"] == kBoxName) {
       EXPECT_NEAR(box.sizes().y(), 0.2, 1e-3) << "y is up: the box is 20 cm high";
       EXPECT_NEAR(box.min().y(), 0, 1e-3);
       // 60 of 255 in sRGB is ((60 / 255 + 0.055) / 1.055)^2.4 = 0.04519 linear.
@@ -223,7 +216,7 @@ TEST_F(MeshExport, GlbIsMadeAsTheSpecificationSays) {
       EXPECT_EQ(numberAt<std::uint16_t>(binary, startOf(colors) + 6), 65535);
     }
   }
-  test::ScannedScene scene;
+  ScannedScene scene;
   EXPECT_EQ(faces, scene.mesh()->faces.size());
 }
 
@@ -238,34 +231,34 @@ Eigen::Vector3d vectorOfJson(const Json& list) {
   return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
 }
 
-TEST(CenteredMeshExport, MovesObjectsToTheOriginAndSaysWhereTheyWere) {
-  test::ScannedScene scene;
-  const test::TemporaryFolder home;
+TEST(ExportCenteredMesh, MovesObjectsToTheOriginAndStoresTheirOffsets) {
+  ScannedScene scene;
+  const TemporaryFolder home;
   ASSERT_TRUE(exportDataset(scene, {.format = DatasetFormat::mesh, .folder = home / "plain"}));
   ASSERT_TRUE(exportCenteredMesh(scene, {.format = DatasetFormat::mesh, .folder = home / "centred"}));
-  EXPECT_TRUE(test::readText(home / "plain/scene.ply") == test::readText(home / "centred/scene.ply"));
+  EXPECT_TRUE(readText(home / "plain/scene.ply") == readText(home / "centred/scene.ply"));
   EXPECT_FALSE(std::filesystem::exists(home / "plain/objects/000040_ball.json"));
-  const Json offset = Json::parse(test::readText(home / "centred/objects/000040_ball.json"));
+  const Json offset = Json::parse(readText(home / "centred/objects/000040_ball.json"));
   const Eigen::Vector3d moved_by = vectorOfJson(offset["offset_m"]);
-  EXPECT_LT((moved_by - test::kBallCenter).norm(), 1e-4);
+  EXPECT_LT((moved_by - kBallCenter).norm(), 1e-4);
   EXPECT_EQ(offset["region"], kBall);
   EXPECT_EQ(offset["name"], "ball");
-  const PlyFile plain(test::readText(home / "plain/objects/000040_ball.ply"));
-  const PlyFile centered(test::readText(home / "centred/objects/000040_ball.ply"));
+  const PlyFile plain(readText(home / "plain/objects/000040_ball.ply"));
+  const PlyFile centered(readText(home / "centred/objects/000040_ball.ply"));
   EXPECT_LT(boxOfPly(centered).center().norm(), 1e-6);
   EXPECT_LT((boxOfPly(centered).center() + moved_by - boxOfPly(plain).center()).norm(), 1e-6);
   ASSERT_EQ(centered.size(), plain.size());
   EXPECT_NEAR(centered.values.at("x")[100] + moved_by.x(), plain.values.at("x")[100], 1e-6);
 
-  const auto lowestCorner = [&](const std::string& place) {
-    const Json json = jsonOfGlb(test::readText(home / (place + "/objects/000040_ball.glb")));
+  const auto lowestCorner = [&](const std::string& folder) {
+    const Json json = jsonOfGlb(readText(home / (folder + "/objects/000040_ball.glb")));
     return vectorOfJson(json["accessors"][0]["min"]);
   };
   EXPECT_LT((lowestCorner("centred") + vectorOfJson(offset["glb_offset_m"]) - lowestCorner("plain")).norm(),
             1e-5);
 }
 
-TEST(GlbFile, WithoutASurfaceIsStillOne) {
+TEST(EncodeGlb, IsValid_WithoutASurface) {
   const auto bytes = encodeGlb({});
   ASSERT_TRUE(bytes);
   EXPECT_EQ(numberAt<std::uint32_t>(*bytes, 8), bytes->size());
@@ -273,7 +266,7 @@ TEST(GlbFile, WithoutASurfaceIsStillOne) {
   EXPECT_FALSE(jsonOfGlb(*bytes).contains("meshes"));
 }
 
-TEST(ScannetExport, HasASegmentARegionAndAGroupAnObject) {
+TEST(ScannetExport, HasASegmentForEachRegionAndAGroupForEachObject) {
   Exported exported(DatasetFormat::scannet);
   const std::string scene = "kitchen_table";
   EXPECT_EQ(exported.files(),
@@ -299,4 +292,4 @@ TEST(ScannetExport, HasASegmentARegionAndAGroupAnObject) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

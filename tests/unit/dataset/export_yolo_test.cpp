@@ -6,21 +6,16 @@
 
 #include "tests/unit/dataset/exported.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-using test::Exported;
-using test::iou;
-using test::kBall;
-using test::kBox;
-
-SCANTROVE_EXPORTED_ONCE(YoloExport, DatasetFormat::yolo);
+SCANTROVE_EXPORTED_ONCE(YoloExportTest, DatasetFormat::yolo);
 
 struct Segment {
   int class_index = -1;
   std::vector<double> numbers;
 
-  /// As a program does that cuts numbers off, or rounds them.
+  /// Filled as programs do that round coordinates or truncate them.
   [[nodiscard]] cv::Mat mask(bool rounds) const {
     std::vector<cv::Point> outline;
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
@@ -46,7 +41,7 @@ std::vector<Segment> segmentsIn(const std::string& text) {
   return segments;
 }
 
-TEST_F(YoloExport, HasTheFiles) {
+TEST_F(YoloExportTest, HasTheFiles) {
   EXPECT_EQ(exported().files(),
             (std::vector<std::string>{"data.yaml", "images/train/000000.jpg", "images/train/000010.jpg",
                                       "images/train/000020.jpg", "labels.json", "labels/train/000000.txt",
@@ -55,10 +50,10 @@ TEST_F(YoloExport, HasTheFiles) {
       exported().text("data.yaml"),
       "# Scantrove: kitchen table\ntrain: images/train\nval: images/train  # too few images for others\n"
       "names:\n  0: \"ball\"\n  1: \"box\"\n");
-  EXPECT_EQ(exported().text("images/train/000010.jpg"), test::readText(exported().scene.fileOf(10)));
+  EXPECT_EQ(exported().text("images/train/000010.jpg"), readText(exported().scene.fileOf(10)));
 }
 
-TEST_F(YoloExport, PolygonsGiveTheMasksAgain) {
+TEST_F(YoloExportTest, PolygonsReproduceTheMasks) {
   for (const int frame : {0, 10, 20}) {
     const auto segments = segmentsIn(exported().text(
         "labels/train/0000" + std::string(frame == 0 ? "00" : std::to_string(frame)) + ".txt"));
@@ -74,8 +69,8 @@ TEST_F(YoloExport, PolygonsGiveTheMasksAgain) {
   }
 }
 
-TEST(YoloExportOptions, AnInstanceOfSeveralRegionsIsOneLine) {
-  const Exported exported(DatasetFormat::yolo, [](test::ScannedScene& scene) {
+TEST(YoloExport, HasOneLine_WhenAnInstanceHasTwoRegions) {
+  const Exported exported(DatasetFormat::yolo, [](ScannedScene& scene) {
     scene.frames = 1;
     scene.labels[0].object = 3;  // the ball belongs to the object of the box
     scene.labels[0].category = "box";
@@ -87,8 +82,8 @@ TEST(YoloExportOptions, AnInstanceOfSeveralRegionsIsOneLine) {
   EXPECT_EQ(exported.summary.annotations, 1);
 }
 
-TEST(YoloExportOptions, RegionsOfOneNameAreInstancesOfTheirOwn) {
-  const Exported exported(DatasetFormat::yolo, [](test::ScannedScene& scene) {
+TEST(YoloExport, HasALineForEachRegion_WhenOnlyNamesAreEqual) {
+  const Exported exported(DatasetFormat::yolo, [](ScannedScene& scene) {
     scene.frames = 1;
     scene.labels[0].name = scene.labels[2].name = "box";
     scene.labels[0].category = "box";
@@ -97,10 +92,10 @@ TEST(YoloExportOptions, RegionsOfOneNameAreInstancesOfTheirOwn) {
   EXPECT_EQ(segmentsIn(exported.text("labels/train/000000.txt")).size(), 2U);
 }
 
-TEST(YoloExportOptions, APartedInstanceIsOneLine) {
-  const Exported exported(DatasetFormat::yolo, [](test::ScannedScene& scene) {
+TEST(YoloExport, HasOneLine_WhenARegionHasTwoPieces) {
+  const Exported exported(DatasetFormat::yolo, [](ScannedScene& scene) {
     scene.frames = 1;
-    scene.parted = kBox;
+    scene.divided = kBox;
   });
   const auto segments = segmentsIn(exported.text("labels/train/000000.txt"));
   ASSERT_EQ(segments.size(), 2U);
@@ -109,14 +104,14 @@ TEST(YoloExportOptions, APartedInstanceIsOneLine) {
   ASSERT_NE(box, segments.end());
   cv::Mat labels;
   EXPECT_EQ(cv::connectedComponents(box->mask(false), labels, 8), 2) << "background and one piece";
-  const cv::Mat pieces = exported.scene.partedMask(exported.scene.exactMask(0, kBox));
+  const cv::Mat pieces = exported.scene.dividedMask(exported.scene.exactMask(0, kBox));
   EXPECT_EQ(cv::connectedComponents(pieces, labels, 8), 3);
-  EXPECT_GE(iou(box->mask(false), pieces), 0.9) << "the band is of another view than the exact mask";
+  EXPECT_GE(iou(box->mask(false), pieces), 0.9) << "the gap is that of another view than the exact mask's";
 }
 
-TEST(YoloExportOptions, TheLastFifthIsForValidation) {
-  const Exported many(DatasetFormat::yolo, [](test::ScannedScene& scene) {
-    scene.frames = 9;  // of which every second is a key frame: five
+TEST(YoloExport, UsesTheLastFifthForValidation) {
+  const Exported many(DatasetFormat::yolo, [](ScannedScene& scene) {
+    scene.frames = 9;  // every second is a key frame: five
     scene.labels[0].name = "ball: \"red\" # 1\n";
   });
   const auto files = many.files();
@@ -131,4 +126,4 @@ TEST(YoloExportOptions, TheLastFifthIsForValidation) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

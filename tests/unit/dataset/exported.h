@@ -15,7 +15,7 @@ namespace scantrove::test {
 
 using Json = nlohmann::ordered_json;
 
-/// A scan that was exported to a folder that goes away with this.
+/// A scan exported to a temporary folder.
 struct Exported {
   ScannedScene scene;
   TemporaryFolder home;

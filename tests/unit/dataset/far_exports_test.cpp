@@ -1,5 +1,5 @@
-// Data sets of scans whose recordings lie far from their origin: numbers are the recording's to a tenth of a
-// millimetre, or the file says what to add.
+// Data sets of recordings far from their world's origin: coordinates are the recording's to 0.1 mm, or the
+// file states the offset to add.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,14 +18,14 @@ namespace {
 
 constexpr double kTolerance_m = 1e-4;
 
-class FarExports : public testing::TestWithParam<Eigen::Vector3d> {
+class FarExportsTest : public testing::TestWithParam<Eigen::Vector3d> {
  protected:
-  [[nodiscard]] static Eigen::Vector3d place() { return GetParam(); }
+  [[nodiscard]] static Eigen::Vector3d recordingOrigin() { return GetParam(); }
   [[nodiscard]] static Exported nearby(DatasetFormat format) { return Exported(format, smaller); }
   [[nodiscard]] static Exported moved(DatasetFormat format) {
     return Exported(format, [](ScannedScene& scene) {
       smaller(scene);
-      scene.origin_m = place();
+      scene.origin_m = recordingOrigin();
     });
   }
 
@@ -53,7 +53,7 @@ std::vector<Eigen::Vector3d> verticesOfObj(const std::string& text) {
   return vertices;
 }
 
-/// The largest error of `far` as `near` moved by `offset`.
+/// The largest distance of `far` from `near` moved by `offset`.
 double greatestError(const std::vector<Eigen::Vector3d>& near, const std::vector<Eigen::Vector3d>& far,
                      const Eigen::Vector3d& offset) {
   EXPECT_EQ(near.size(), far.size());
@@ -64,11 +64,11 @@ double greatestError(const std::vector<Eigen::Vector3d>& near, const std::vector
   return greatest;
 }
 
-Eigen::Vector3d placeIn(const Json& list) {
+Eigen::Vector3d positionIn(const Json& list) {
   return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
 }
 
-TEST_P(FarExports, MeshesHaveTheRecordingsCoordinates) {
+TEST_P(FarExportsTest, MeshesKeepCoordinatesOfTheRecording) {
   const Exported near = nearby(DatasetFormat::mesh), far = moved(DatasetFormat::mesh);
   ASSERT_EQ(near.files(), far.files());
   for (const std::string& name : near.files()) {
@@ -76,17 +76,19 @@ TEST_P(FarExports, MeshesHaveTheRecordingsCoordinates) {
     if (ending == ".ply") {
       const PlyFile ply(far.text(name));
       EXPECT_EQ(ply.properties.front(), "double x") << name;
-      EXPECT_LT(greatestError(verticesOf(PlyFile(near.text(name))), verticesOf(ply), place()), kTolerance_m)
+      EXPECT_LT(greatestError(verticesOf(PlyFile(near.text(name))), verticesOf(ply), recordingOrigin()),
+                kTolerance_m)
           << name;
     } else if (ending == ".obj") {
-      EXPECT_LT(greatestError(verticesOfObj(near.text(name)), verticesOfObj(far.text(name)), place()),
-                kTolerance_m)
+      EXPECT_LT(
+          greatestError(verticesOfObj(near.text(name)), verticesOfObj(far.text(name)), recordingOrigin()),
+          kTolerance_m)
           << name;
     }
   }
 }
 
-TEST_P(FarExports, BopCamerasHaveTheRecordingsCoordinates) {
+TEST_P(FarExportsTest, BopCamerasKeepCoordinatesOfTheRecording) {
   const Exported near = nearby(DatasetFormat::bop), far = moved(DatasetFormat::bop);
   const Json cameras = far.json("000001/scene_camera.json");
   ASSERT_EQ(cameras.size(), 2U);
@@ -95,13 +97,13 @@ TEST_P(FarExports, BopCamerasHaveTheRecordingsCoordinates) {
     for (int i = 0; i < 9; ++i)
       T_camera_world.linear()(i / 3, i % 3) =
           camera["cam_R_w2c"].at(static_cast<std::size_t>(i)).get<double>();
-    T_camera_world.translation() = placeIn(camera["cam_t_w2c"]) / 1000;
-    const Eigen::Isometry3d expected = Eigen::Translation3d(place()) * far.scene.poseOf(std::stoi(frame)) *
-                                       far.scene.T_color_depth.inverse();
+    T_camera_world.translation() = positionIn(camera["cam_t_w2c"]) / 1000;
+    const Eigen::Isometry3d expected = Eigen::Translation3d(recordingOrigin()) *
+                                       far.scene.poseOf(std::stoi(frame)) * far.scene.T_color_depth.inverse();
     EXPECT_LT((T_camera_world.inverse().translation() - expected.translation()).norm(), kTolerance_m)
         << frame;
   }
-  // Models have frames of their own, and poses are the camera's.
+  // Models have their own frames, and object poses are relative to the camera.
   EXPECT_EQ(far.text("000001/scene_gt.json"), near.text("000001/scene_gt.json"));
   for (const std::string& name : near.files()) {
     if (name.starts_with("models/")) {
@@ -110,7 +112,7 @@ TEST_P(FarExports, BopCamerasHaveTheRecordingsCoordinates) {
   }
 }
 
-TEST_P(FarExports, ScannetFilesSayWhatToAddToTheirFloats) {
+TEST_P(FarExportsTest, ScannetFilesStateTheOffsetOfTheirFloats) {
   const Exported near = nearby(DatasetFormat::scannet), far = moved(DatasetFormat::scannet);
   ASSERT_EQ(near.files(), far.files());
   std::vector<Eigen::Vector3d> origins;
@@ -130,25 +132,25 @@ TEST_P(FarExports, ScannetFilesSayWhatToAddToTheirFloats) {
     }
   }
   ASSERT_EQ(origins.size(), 1U);
-  // Turned as the surface is, by a matrix of floats.
-  EXPECT_NEAR(origins[0].norm(), place().norm(), 1e-6 * place().norm());
+  // The offset is rotated like the surface, by a matrix of floats.
+  EXPECT_NEAR(origins[0].norm(), recordingOrigin().norm(), 1e-6 * recordingOrigin().norm());
 }
 
-TEST_P(FarExports, LegendsHaveTheRecordingsCoordinates) {
+TEST_P(FarExportsTest, LegendsKeepCoordinatesOfTheRecording) {
   const Exported near = nearby(DatasetFormat::mesh), far = moved(DatasetFormat::mesh);
   const Json near_legend = near.json("labels.json"), far_legend = far.json("labels.json");
   ASSERT_EQ(near_legend.size(), far_legend.size());
   for (const auto& [region, entry] : near_legend.items()) {
     const Eigen::Vector3d offset =
-        placeIn(far_legend.at(region)["centroid_m"]) - placeIn(entry["centroid_m"]);
-    EXPECT_LT((offset - place()).norm(), kTolerance_m) << region;
+        positionIn(far_legend.at(region)["centroid_m"]) - positionIn(entry["centroid_m"]);
+    EXPECT_LT((offset - recordingOrigin()).norm(), kTolerance_m) << region;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Places, FarExports,
+INSTANTIATE_TEST_SUITE_P(Places, FarExportsTest,
                          testing::Values(Eigen::Vector3d(200'000, -30'000, 12),
                                          Eigen::Vector3d(4'100'000, 620'000, 3'800'000)),
-                         [](const auto& place) { return place.index == 0 ? "At200km" : "At5600km"; });
+                         [](const auto& origin) { return origin.index == 0 ? "At200km" : "At5600km"; });
 
 }  // namespace
 }  // namespace scantrove::test

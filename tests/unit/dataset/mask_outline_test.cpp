@@ -19,7 +19,7 @@ cv::Mat filled(const std::vector<cv::Point>& outline) {
 
 int differing(const cv::Mat& a, const cv::Mat& b) { return cv::countNonZero(a != b); }
 
-TEST(MaskOutline, ASinglePartIsExact) {
+TEST(MaskOutline, IsExact_ForASinglePart) {
   cv::Mat mask = empty();
   cv::rectangle(mask, {10, 20, 50, 30}, 255, cv::FILLED);
   EXPECT_EQ(outlineOf(mask).size(), 4U);
@@ -30,10 +30,10 @@ TEST(MaskOutline, ASinglePartIsExact) {
   EXPECT_EQ(differing(filled(outlineOf(mask)), mask), 0);
   mask = empty();
   mask.setTo(255);
-  EXPECT_EQ(differing(filled(outlineOf(mask)), mask), 0) << "up to the image's borders";
+  EXPECT_EQ(differing(filled(outlineOf(mask)), mask), 0) << "up to the image borders";
 }
 
-TEST(MaskOutline, AHoleIsKeptOverABridge) {
+TEST(MaskOutline, KeepsAHole_ThroughABridge) {
   cv::Mat mask = empty();
   cv::circle(mask, {80, 60}, 50, 255, cv::FILLED);
   cv::circle(mask, {70, 55}, 20, 0, cv::FILLED);
@@ -42,14 +42,14 @@ TEST(MaskOutline, AHoleIsKeptOverABridge) {
   EXPECT_EQ(filled(outlineOf(mask)).at<std::uint8_t>(55, 70), 0);
 }
 
-TEST(MaskOutline, PartsAreJoinedBySlimBridges) {
-  cv::Mat mask = empty();  // something stands before the middle
+TEST(MaskOutline, JoinsPartsByThinBridges) {
+  cv::Mat mask = empty();  // an occluder divides the object
   cv::rectangle(mask, {10, 20, 50, 60}, 255, cv::FILLED);
   cv::rectangle(mask, {70, 20, 60, 60}, 255, cv::FILLED);
   EXPECT_LE(differing(filled(outlineOf(mask)), mask), 11) << "a bridge of the gap's width";
 }
 
-TEST(MaskOutline, SpecksAndPinHolesAreLeftOut) {
+TEST(MaskOutline, OmitsSmallComponentsAndHoles) {
   cv::Mat clean = empty();
   cv::rectangle(clean, {10, 20, 60, 60}, 255, cv::FILLED);
   cv::Mat mask = clean.clone();
@@ -59,7 +59,7 @@ TEST(MaskOutline, SpecksAndPinHolesAreLeftOut) {
   EXPECT_EQ(differing(filled(outlineOf(mask)), clean), 0);
 }
 
-TEST(MaskOutline, WhatIsTooSmallForAPolygonHasNone) {
+TEST(MaskOutline, IsEmpty_WhenTheMaskIsTooSmallForAPolygon) {
   EXPECT_TRUE(outlineOf(empty()).empty());
   cv::Mat mask = empty();
   mask.at<std::uint8_t>(5, 5) = 255;

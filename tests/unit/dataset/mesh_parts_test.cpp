@@ -7,10 +7,10 @@
 #include "core/dataset/up_direction.h"
 #include "tests/unit/dataset/scanned_scene.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
-TEST(MeshParts, AFaceBelongsToTheRegionOfTwoOfItsCorners) {
+TEST(SplitByRegion, AssignsAFaceToTheRegionOfTwoOfItsCorners) {
   LabeledMesh mesh;
   for (const std::uint32_t region : {1U, 1U, 2U, 2U, 3U}) {
     SurfacePoint point;
@@ -25,13 +25,13 @@ TEST(MeshParts, AFaceBelongsToTheRegionOfTwoOfItsCorners) {
   const auto parts = splitByRegion(mesh, std::vector{one, two});
   EXPECT_EQ(parts.at(1).faces, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
   EXPECT_EQ(parts.at(1).vertices.size(), 3U);
-  // {0, 2, 3} by two corners; {3, 4, 0} has three regions: the first corner's.
+  // {0, 2, 3} by two corners; {3, 4, 0} has three regions, so the first corner decides.
   EXPECT_EQ(parts.at(2).faces, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {2, 3, 0}}));
   EXPECT_EQ(parts.at(2).vertices[3].position_world_m.x(), 4);
-  EXPECT_EQ(parts.at(0).faces.size(), 1U) << "region 3 was not asked for";
+  EXPECT_EQ(parts.at(0).faces.size(), 1U) << "region 3 was not requested";
 }
 
-TEST(MeshParts, TheDiameterIsThatOfAllPairs) {
+TEST(DiameterOf, EqualsBruteForceOverAllPairs) {
   std::mt19937 random(1);
   std::normal_distribution<float> normal;
   for (const float flat : {0.01F, 0.5F, 1.0F}) {
@@ -52,8 +52,8 @@ TEST(MeshParts, TheDiameterIsThatOfAllPairs) {
   EXPECT_EQ(diameterOf({}), 0);
 }
 
-TEST(MeshParts, DamageIsFound) {
-  test::ScannedScene scene;
+TEST(CheckMesh, Fails_WhenAnIndexOrACoordinateIsInvalid) {
+  ScannedScene scene;
   LabeledMesh mesh = *scene.mesh();
   EXPECT_TRUE(checkMesh(mesh));
   mesh.faces[5][1] = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -63,8 +63,8 @@ TEST(MeshParts, DamageIsFound) {
   EXPECT_FALSE(checkMesh(mesh));
 }
 
-TEST(UpDirection, IsSquareToTheTableHoweverTheWorldLies) {
-  test::ScannedScene scene;
+TEST(UpDirection, IsPerpendicularToTheTable_WhenTheWorldIsRotated) {
+  ScannedScene scene;
   const Eigen::Affine3f turn(Eigen::AngleAxisf(1.1F, Eigen::Vector3f(1, 2, -0.5F).normalized()));
   const LabeledMesh mesh = transformed(*scene.mesh(), turn);
   auto frames = *scene.keyFrames(false);
@@ -72,10 +72,10 @@ TEST(UpDirection, IsSquareToTheTableHoweverTheWorldLies) {
     frame.T_world_depth = Eigen::Isometry3d(turn.cast<double>().matrix()) * frame.T_world_depth;
   const Eigen::Vector3f up = upDirection(frames, mesh);
   EXPECT_GT(up.dot(turn.linear() * Eigen::Vector3f::UnitZ()), 0.9999F) << "within a degree";
-  // Nothing to stand on: as the cameras were held, 36 degrees off here, for they look down.
+  // Without a surface, up follows the cameras: 36 degrees off here, because they look down.
   EXPECT_GT(upDirection(frames, {}).dot(up), 0.75F);
   EXPECT_EQ(upDirection({}, mesh), Eigen::Vector3f::UnitZ());
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

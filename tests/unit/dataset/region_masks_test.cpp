@@ -9,16 +9,8 @@
 #include "core/dataset/silhouette.h"
 #include "tests/unit/dataset/scanned_scene.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
-
-using test::iou;
-using test::kBall;
-using test::kBlock;
-using test::kBox;
-using test::kTable;
-using test::ScannedScene;
-using test::Shapes;
 
 struct Refined {
   ViewOfMap map;
@@ -41,9 +33,9 @@ struct Refined {
   [[nodiscard]] cv::Mat before(std::uint32_t id) const { return map.regions == static_cast<int>(id); }
 };
 
-// The map of these tests is 2 mm too fat, 4 mm off, and coarse; depth has half of colour's resolution and
-// noise.
-TEST(RegionMasks, FollowWhatWasMeasured) {
+// The map of these tests is coarse, 2 mm too thick and 4 mm off; depth is noisy, at half of colour's
+// resolution.
+TEST(RefineRegions, FollowsMeasuredDepthAndColor) {
   ScannedScene scene;
   for (const int frame : {0, 10, 20}) {
     const Refined refined(scene, frame);
@@ -53,19 +45,19 @@ TEST(RegionMasks, FollowWhatWasMeasured) {
       RecordProperty("map_" + key, std::to_string(iou(refined.before(id), exact)));
       RecordProperty("refined_" + key, std::to_string(iou(refined.of(id), exact)));
       EXPECT_GE(iou(refined.of(id), exact), id == kBlock ? 0.95 : 0.97) << id << " in frame " << frame;
-      EXPECT_GE(iou(refined.of(id), exact), iou(refined.before(id), exact)) << "worse than the map alone";
+      EXPECT_GE(iou(refined.of(id), exact), iou(refined.before(id), exact)) << "not worse than the map alone";
     }
   }
 }
 
-TEST(RegionMasks, DepthAloneIsNearlyAsGood) {
+TEST(RefineRegions, IsNearlyAsAccurate_WithDepthAlone) {
   ScannedScene scene;
   const Refined refined(scene, 0, false);
   for (const std::uint32_t id : {kBox, kBall})
     EXPECT_GE(iou(refined.of(id), scene.exactMask(0, id)), 0.95) << id;
 }
 
-TEST(RegionMasks, AGoodMapStaysAsItIs) {
+TEST(RefineRegions, KeepsAnExactMap) {
   ScannedScene scene;
   scene.faults = {.voxel_m = 0, .swollen_m = 0, .shift_m = Eigen::Vector3d::Zero()};
   const Refined refined(scene);
@@ -73,8 +65,8 @@ TEST(RegionMasks, AGoodMapStaysAsItIs) {
     EXPECT_GE(iou(refined.of(id), scene.exactMask(0, id)), 0.98) << id;
 }
 
-TEST(RegionMasks, OutlinesHaveNoBlocks) {
-  // Steps of the map's voxels are four pixels high here: an outline in blocks is longer than the true one.
+TEST(RefineRegions, SmoothsVoxelStepsInOutlines) {
+  // Voxels are four pixels high here: an outline with their steps is longer than the true one.
   ScannedScene scene;
   scene.faults.voxel_m = 0.006;
   const Refined refined(scene);
@@ -88,24 +80,26 @@ TEST(RegionMasks, OutlinesHaveNoBlocks) {
     EXPECT_LT(length(refined.of(id)), 1.15 * length(scene.exactMask(0, id))) << id;
 }
 
-TEST(RegionMasks, NoiseLeavesNoSpecks) {
+TEST(RefineRegions, LeavesNoSmallComponents_WithNoisyDepth) {
   ScannedScene scene;
-  scene.depth_noise_px = 0.5;  // six times a Kinect's: outliers of the size of the tolerance
+  scene.depth_noise_px = 0.5;  // six times a Kinect's, so outliers reach the tolerance
   for (const int frame : {0, 20}) {
     const Refined refined(scene, frame);
     for (const std::uint32_t id : {kTable, kBox, kBall, kBlock}) {
       cv::Mat parts, stats, centers;
       const int count = cv::connectedComponentsWithStats(refined.of(id), parts, stats, centers, 4);
-      int specks = 0;
-      for (int part = 1; part < count; ++part) specks += stats.at<int>(part, cv::CC_STAT_AREA) < 8 ? 1 : 0;
-      RecordProperty("specks_" + std::to_string(frame) + "_" + std::to_string(id), specks);
-      EXPECT_EQ(specks, 0) << id << " in frame " << frame;
+      int small_components = 0;
+      for (int part = 1; part < count; ++part)
+        small_components += stats.at<int>(part, cv::CC_STAT_AREA) < 8 ? 1 : 0;
+      RecordProperty("small_components_" + std::to_string(frame) + "_" + std::to_string(id),
+                     small_components);
+      EXPECT_EQ(small_components, 0) << id << " in frame " << frame;
     }
   }
 }
 
-TEST(RegionMasks, WhatIsNotInTheMapHidesTheRest) {
-  // Somebody's hand 20 cm before the camera was measured; the map knows nothing of it.
+TEST(RefineRegions, IsUnlabeled_WhereAnUnmappedObjectOccludes) {
+  // Depth contains a hand 20 cm before the camera; the map does not.
   ScannedScene scene;
   Refined refined(scene);
   const cv::Rect hand(280, 200, 60, 60);
@@ -115,8 +109,8 @@ TEST(RegionMasks, WhatIsNotInTheMapHidesTheRest) {
   EXPECT_GT(cv::countNonZero(refined.regions(hand)), 3000);
 }
 
-TEST(RegionMasks, MixedReadingsAtEdgesOpenNoGaps) {
-  // Time-of-flight cameras give a mean of both depths where a pixel sees an edge.
+TEST(RefineRegions, OpensNoGaps_WhenDepthIsMixedAtEdges) {
+  // Time-of-flight cameras return the mean of both depths at an edge.
   ScannedScene scene;
   Refined refined(scene);
   const cv::Mat exact =
@@ -128,46 +122,48 @@ TEST(RegionMasks, MixedReadingsAtEdgesOpenNoGaps) {
   exact.copyTo(mixed, high - low < 0.05F);
   const cv::Mat regions = refineRegions(refined.map, {mixed, refined.measured.color}, refined.focal_px);
   EXPECT_LT(cv::countNonZero((regions == 0) & (refined.map.regions != 0)), 200)
-      << "1400 where each is taken for a surface";
+      << "1400 if mixed depths were taken for a surface";
   for (const std::uint32_t id : {kBox, kBall})
     EXPECT_GE(iou(regions == static_cast<int>(id), scene.exactMask(0, id)), 0.96) << id;
 }
 
-TEST(RegionMasks, WithoutReadingsTheMapIsBelieved) {
+TEST(RefineRegions, KeepsTheMap_WithoutDepth) {
   ScannedScene scene;
   const Refined refined(scene);
   const cv::Mat nothing = cv::Mat::zeros(refined.map.regions.size(), CV_32FC1);
   const cv::Mat regions = refineRegions(refined.map, {nothing, {}}, refined.focal_px);
-  // But for corners of voxels that look out of the surface, a pixel or two each.
+  // Except for corners of voxels that stick out of the surface, one or two pixels each.
   EXPECT_LT(cv::countNonZero(regions != refined.map.regions), 0.001 * static_cast<double>(regions.total()));
 }
 
-TEST(Silhouette, IsThatOfTheWholeObject) {
+TEST(Silhouette, IncludesOccludedParts) {
   ScannedScene scene;
   const KeyFrameInfo frame = scene.keyFrames(false)->front();
   const auto parts = splitByRegion(*scene.mesh(), scene.labels);
   for (const std::uint32_t id : {kBox, kBall}) {
-    const Silhouette seen = silhouetteOf(parts.at(id), frame.K_color, frame.colorCameraPose());
+    const Silhouette silhouette = silhouetteOf(parts.at(id), frame.K_color, frame.colorCameraPose());
     const cv::Mat exact = scene.exactMask(0, id, true);
-    EXPECT_GE(iou(seen.mask(exact.size()), exact), 0.98) << id << ": a ball of 24 rings is a little smaller";
-    EXPECT_EQ(seen.pixels, cv::countNonZero(seen.mask(exact.size()))) << "all of it is in the image";
-    EXPECT_EQ(seen.tightBox(), boxOf(seen.mask(exact.size())));
+    EXPECT_GE(iou(silhouette.mask(exact.size()), exact), 0.98)
+        << id << ": a ball of 24 rings is slightly smaller";
+    EXPECT_EQ(silhouette.pixels, cv::countNonZero(silhouette.mask(exact.size())))
+        << "the object is entirely in the image";
+    EXPECT_EQ(silhouette.tightBox(), boxOf(silhouette.mask(exact.size())));
   }
 }
 
-TEST(Silhouette, GoesOnBeyondTheImage) {
+TEST(Silhouette, ExtendsBeyondTheImage) {
   ScannedScene scene;
   const KeyFrameInfo frame = scene.keyFrames(false)->front();
   const auto parts = splitByRegion(*scene.mesh(), scene.labels);
-  const Silhouette whole = silhouetteOf(parts.at(kBox), frame.K_color, frame.colorCameraPose());
+  const Silhouette complete = silhouetteOf(parts.at(kBox), frame.K_color, frame.colorCameraPose());
   Intrinsics half = frame.K_color;  // the image ends in the middle of the box
-  half.cx -= static_cast<float>(whole.tightBox().x + whole.tightBox().width / 2);
-  const Silhouette seen = silhouetteOf(parts.at(kBox), half, frame.colorCameraPose());
-  EXPECT_NEAR(seen.pixels, whole.pixels, 0.01 * whole.pixels);
-  EXPECT_LT(seen.tightBox().x, 0);
-  const int inside = cv::countNonZero(seen.mask({half.width, half.height}));
-  EXPECT_GT(inside, 0.3 * whole.pixels);
-  EXPECT_LT(inside, 0.7 * whole.pixels);
+  half.cx -= static_cast<float>(complete.tightBox().x + complete.tightBox().width / 2);
+  const Silhouette silhouette = silhouetteOf(parts.at(kBox), half, frame.colorCameraPose());
+  EXPECT_NEAR(silhouette.pixels, complete.pixels, 0.01 * complete.pixels);
+  EXPECT_LT(silhouette.tightBox().x, 0);
+  const int inside = cv::countNonZero(silhouette.mask({half.width, half.height}));
+  EXPECT_GT(inside, 0.3 * complete.pixels);
+  EXPECT_LT(inside, 0.7 * complete.pixels);
   Eigen::Isometry3d away = frame.colorCameraPose();
   away.linear().col(0) *= -1;
   away.linear().col(2) *= -1;
@@ -175,4 +171,4 @@ TEST(Silhouette, GoesOnBeyondTheImage) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

@@ -18,7 +18,7 @@
 
 namespace scantrove::test {
 
-// World: z up, metres. A table, a box and a ball on it, a block that somebody rejected.
+// World: z up, metres. A table with a box, a ball and a block, which a user rejected.
 constexpr std::uint32_t kTable = 7, kBox = 12, kBall = 40, kBlock = 55;
 inline const Eigen::Vector3d kBoxLow(-0.22, -0.08, 0), kBoxHigh(-0.04, 0.08, 0.2);
 inline const Eigen::Vector3d kBallCenter(0.12, 0.02, 0.09);
@@ -26,14 +26,14 @@ constexpr double kBallRadius = 0.09;
 inline const Eigen::Vector3d kBlockLow(0.26, -0.1, 0), kBlockHigh(0.34, -0.04, 0.06);
 inline const std::string kBoxName = "Kiste/\"groß\"\n\\ 箱 📦";
 
-/// What the shapes are to a map of voxels and of poses that are a little off.
+/// Errors of the map: voxel size, thickness and drift.
 struct MapFaults {
   double voxel_m = 0.006;  ///< labels are by voxel
   double swollen_m = 0.002;
   Eigen::Vector3d shift_m = Eigen::Vector3d(0.003, -0.002, 0.002);
 };
 
-/// Shapes whose images are known exactly.
+/// Shapes with exact images.
 class Shapes {
  public:
   explicit Shapes(double swollen_m = 0) {
@@ -44,7 +44,7 @@ class Shapes {
     parts_.emplace_back(kBlock, AnalyticScene().box(kBlockLow - swell, kBlockHigh + swell));
   }
 
-  /// Region ids and depths by pixel. `only`: as if nothing else were there (0 = all).
+  /// Region ids and depths by pixel. `only`: the only visible region (0 = all).
   [[nodiscard]] ViewOfMap renderView(const Intrinsics& K, const Eigen::Isometry3d& T,
                                      std::uint32_t only = 0) const {
     ViewOfMap view{cv::Mat::zeros(K.height, K.width, CV_32SC1), cv::Mat::zeros(K.height, K.width, CV_32FC1)};
@@ -81,7 +81,7 @@ class Shapes {
   std::vector<std::pair<std::uint32_t, AnalyticScene>> parts_;
 };
 
-/// A scan of the shapes, in memory but for its colour images. Key frames 0, 10, 20, ... around the table.
+/// A scan of the shapes, in memory except for its colour images. Key frames 0, 10, 20, ... around the table.
 class ScannedScene : public LabeledScan {
  public:
   Intrinsics K_depth{262.5F, 262.5F, 159.5F, 119.5F, 320, 240};
@@ -96,8 +96,8 @@ class ScannedScene : public LabeledScan {
   std::set<int> without_color, with_damaged_color, with_damaged_depth;
   double depth_noise_px = 0.08;
   bool map_is_damaged = false;
-  std::uint32_t parted = 0;  ///< a region of two pieces: a band in its middle is no region
-  std::function<void(int)> on_look = [](int) {};
+  std::uint32_t divided = 0;  ///< a region whose middle band is unlabelled, which leaves two pieces
+  std::function<void(int)> on_render = [](int) {};
 
   static std::vector<LabeledRegion> standardLabels() {
     const auto region = [](std::uint32_t id, const char* name, const char* category) {
@@ -160,7 +160,7 @@ class ScannedScene : public LabeledScan {
   }
   [[nodiscard]] Result<ViewOfMap> renderView(const Intrinsics& K,
                                              const Eigen::Isometry3d& T_world_camera) override {
-    on_look(++observations_);
+    on_render(++renderings_);
     if (map_is_damaged) return fail("map/bricks-0001 is damaged.");
     const Eigen::Isometry3d T = Eigen::Translation3d(faults.shift_m) * T_world_camera;
     ViewOfMap view = Shapes(faults.swollen_m).renderView(K, T);
@@ -174,14 +174,14 @@ class ScannedScene : public LabeledScan {
         view.regions.at<int>(v, u) = Shapes::nearest(voxel * faults.voxel_m);
       }
     }
-    if (parted != 0) {
-      const cv::Mat mask = view.regions == static_cast<int>(parted);
-      view.regions.setTo(0, mask & ~partedMask(mask));
+    if (divided != 0) {
+      const cv::Mat mask = view.regions == static_cast<int>(divided);
+      view.regions.setTo(0, mask & ~dividedMask(mask));
     }
     return view;
   }
   /// A mask without the columns in its middle.
-  [[nodiscard]] static cv::Mat partedMask(const cv::Mat& mask) {
+  [[nodiscard]] static cv::Mat dividedMask(const cv::Mat& mask) {
     const cv::Rect box = cv::boundingRect(mask);
     cv::Mat pieces = mask.clone();
     pieces.colRange(box.x + box.width * 2 / 5, box.x + box.width * 3 / 5).setTo(0);
@@ -198,22 +198,22 @@ class ScannedScene : public LabeledScan {
     return poses;
   }
 
-  /// CV_8UC1, 255 where the colour camera of a frame sees the region; `whole`: also behind others.
-  [[nodiscard]] cv::Mat exactMask(int index, std::uint32_t region, bool whole = false) const {
+  /// CV_8UC1, 255 where the colour camera of a frame sees the region; `with_occluded`: also behind others.
+  [[nodiscard]] cv::Mat exactMask(int index, std::uint32_t region, bool with_occluded = false) const {
     const Eigen::Isometry3d T = poseOf(index) * T_color_depth.inverse();
-    return Shapes().renderView(K_color, T, whole ? region : 0).regions == static_cast<int>(region);
+    return Shapes().renderView(K_color, T, with_occluded ? region : 0).regions == static_cast<int>(region);
   }
   [[nodiscard]] std::filesystem::path fileOf(int index) const {
     return folder_ / ("frame " + std::to_string(index) + ".jpg");
   }
 
  private:
-  /// Flat colours with shading and noise; what is not there yet is made.
+  /// Flat colours with shading and noise; written on first use.
   std::filesystem::path colorFile(const KeyFrameInfo& info) {
     const std::filesystem::path file = fileOf(info.index);
     if (std::filesystem::exists(file)) return file;
     if (with_damaged_color.contains(info.index)) {
-      folder_.write(file.filename().string(), "\xFF\xD8\xFF no more than a beginning");
+      folder_.write(file.filename().string(), "\xFF\xD8\xFF truncated");
       return file;
     }
     const ViewOfMap view = Shapes().renderView(K_color, info.colorCameraPose());
@@ -311,10 +311,10 @@ class ScannedScene : public LabeledScan {
   }
 
   TemporaryFolder folder_;
-  int observations_ = 0;
+  int renderings_ = 0;
 };
 
-/// Intersection over union of what is not 0.
+/// Intersection over union of the pixels other than 0.
 inline double iou(const cv::Mat& a, const cv::Mat& b) {
   const cv::Mat both = (a != 0) & (b != 0), any = (a != 0) | (b != 0);
   return cv::countNonZero(both) / std::max(1.0, double(cv::countNonZero(any)));

@@ -13,12 +13,10 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::readText;
-using test::TemporaryFolder;
 
 void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
@@ -26,24 +24,24 @@ int entriesOf(const fs::path& folder) {
   return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-TEST(StagedFolder, AppearsWhole) {
+TEST(StagedFolder, AppearsComplete_WhenCommitted) {
   const TemporaryFolder home;
-  const fs::path place = home / "a" / "out";
-  auto staged = StagedFolder::create(place);
+  const fs::path target = home / "a" / "out";
+  auto staged = StagedFolder::create(target);
   ASSERT_TRUE(staged) << staged.error().message();
-  EXPECT_FALSE(fs::exists(place));
+  EXPECT_FALSE(fs::exists(target));
   fs::create_directories(staged->path() / "deep");
   put(staged->path() / "deep" / "file", "x");
   ASSERT_TRUE(staged->commit());
-  EXPECT_EQ(readText(place / "deep" / "file"), "x");
+  EXPECT_EQ(readText(target / "deep" / "file"), "x");
   EXPECT_EQ(entriesOf(home / "a"), 1);
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  EXPECT_EQ(static_cast<unsigned>(fs::status(place).permissions()), 0777U & ~mask)
-      << "others may look, as everywhere";
+  EXPECT_EQ(static_cast<unsigned>(fs::status(target).permissions()), 0777U & ~mask)
+      << "the umask decides on permissions";
 }
 
-TEST(StagedFolder, TakesAnEmptyFoldersPlace) {
+TEST(StagedFolder, ReplacesAnEmptyFolder) {
   const TemporaryFolder home;
   fs::create_directory(home / "out");
   fs::create_directory_symlink("out", home / "link");
@@ -55,7 +53,7 @@ TEST(StagedFolder, TakesAnEmptyFoldersPlace) {
   EXPECT_TRUE(fs::is_symlink(home / "link"));
 }
 
-TEST(StagedFolder, WithoutCommitLeavesNothing) {
+TEST(StagedFolder, RemovesEverything_WithoutCommit) {
   const TemporaryFolder home;
   {
     auto staged = StagedFolder::create(home / "out");
@@ -67,7 +65,7 @@ TEST(StagedFolder, WithoutCommitLeavesNothing) {
   EXPECT_EQ(entriesOf(home.path()), 0);
 }
 
-TEST(StagedFolder, WhereSomethingIsIsRefused) {
+TEST(StagedFolder, RefusesATarget_WhenItIsNotAnEmptyFolder) {
   const TemporaryFolder home;
   home.write("full/file", "mine");
   home.write("file", "mine");
@@ -85,7 +83,7 @@ TEST(StagedFolder, WhereSomethingIsIsRefused) {
   EXPECT_EQ(entriesOf(home.path()), 2);
 }
 
-TEST(StagedFolder, NeverTakesAPlaceThatWasFilledMeanwhile) {
+TEST(StagedFolder, CommitFails_WhenTheTargetWasFilledMeanwhile) {
   const TemporaryFolder home;
   {
     auto staged = StagedFolder::create(home / "out");
@@ -99,7 +97,7 @@ TEST(StagedFolder, NeverTakesAPlaceThatWasFilledMeanwhile) {
   EXPECT_EQ(entriesOf(home.path()), 1);
 }
 
-TEST(StagedFolder, LosesWhatKilledProgramsLeftOfTheSamePlace) {
+TEST(StagedFolder, RemovesFoldersOfKilledPrograms_ForTheSameTarget) {
   const TemporaryFolder home;
   const pid_t child = fork();
   if (child == 0) {
@@ -116,17 +114,17 @@ TEST(StagedFolder, LosesWhatKilledProgramsLeftOfTheSamePlace) {
     home.write(std::string(other) + "/file", "mine");
   std::optional<Result<StagedFolder>> running = StagedFolder::create(home / "out");
   ASSERT_TRUE(*running);
-  EXPECT_EQ(entriesOf(home.path()), 4 + 1) << "the killed one's is gone";
+  EXPECT_EQ(entriesOf(home.path()), 4 + 1) << "the folder of the killed program is removed";
   {
     const auto second = StagedFolder::create(home / "out");
     ASSERT_TRUE(second);
-    EXPECT_TRUE(fs::exists((*running)->path())) << "that of a running program stays";
+    EXPECT_TRUE(fs::exists((*running)->path())) << "the folder of a running program stays";
   }
   running.reset();
   EXPECT_EQ(entriesOf(home.path()), 4);
 }
 
-TEST(StagedFolderTest, KeepsFoldersOfOthers_WhenTheyAreNamedLikeAPart) {
+TEST(StagedFolder, KeepsFoldersOfOthers_WhenTheirNamesLookStaged) {
   const TemporaryFolder home;
   home.write("out.part-backup/photo.jpg", "mine");
   home.write("out.part-marked/.scantrove-unfinished", "mine as well");
@@ -140,20 +138,20 @@ TEST(StagedFolderTest, KeepsFoldersOfOthers_WhenTheyAreNamedLikeAPart) {
   EXPECT_EQ(readText(home / "out.part-backup" / "photo.jpg"), "mine");
   EXPECT_TRUE(fs::exists(home / "out.part-marked"));
   EXPECT_TRUE(fs::exists(home / "out.part-empty1"));
-  EXPECT_TRUE(fs::exists(home / "out.part-copied")) << "a renamed copy belongs to the person who made it";
+  EXPECT_TRUE(fs::exists(home / "out.part-copied")) << "a renamed copy belongs to its user";
 }
 
-TEST(StagedFolderTest, HoldsNoMarker_WhenCommitted) {
+TEST(StagedFolder, HasNoMarker_WhenCommitted) {
   const TemporaryFolder home;
   auto staged = StagedFolder::create(home / "out");
   ASSERT_TRUE(staged);
-  put(staged->path() / "file", "whole");
+  put(staged->path() / "file", "complete");
   EXPECT_EQ(entriesOf(staged->path()), 2);
   ASSERT_TRUE(staged->commit());
   EXPECT_EQ(entriesOf(home / "out"), 1);
 }
 
-TEST(StagedFolder, ErrorsSpeakOfThePlaceThatThePersonGave) {
+TEST(StagedFolder, ErrorsNameTheTargetFolder) {
   const TemporaryFolder home;
   const auto staged = StagedFolder::create(home / "out");
   ASSERT_TRUE(staged);
@@ -163,4 +161,4 @@ TEST(StagedFolder, ErrorsSpeakOfThePlaceThatThePersonGave) {
 }
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 
-/// The same frames by a camera that is held turned about its axis.
+/// The same frames from a camera rotated about its optical axis.
 std::vector<KeyFrameInfo> rolled(std::vector<KeyFrameInfo> frames, int quarter_turns) {
   for (KeyFrameInfo& frame : frames)
     frame.T_world_depth =
@@ -20,23 +20,23 @@ std::vector<KeyFrameInfo> rolled(std::vector<KeyFrameInfo> frames, int quarter_t
   return frames;
 }
 
-struct Film {
+struct Recording {
   std::vector<KeyFrameInfo> frames;
   LabeledMesh mesh;
 };
 
-/// What the depth images of a demo scene show, as points with normals.
-Film recordingOf(const std::string& scene) {
+/// Frames of a demo scene, and the points with normals of their depth images.
+Recording recordingOf(const std::string& scene) {
   SourceOptions options;
   options.stride = 40;
   options.frames = 8;
   const auto source = makeSyntheticSource(scene, options).value();
   const Intrinsics K = source->info().intrinsics;
-  Film film;
+  Recording recording;
   for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
     KeyFrameInfo info;
     info.T_world_depth = *read.frame.T_world_camera;
-    film.frames.push_back(info);
+    recording.frames.push_back(info);
     const auto pointAt = [&](int u, int v) -> Eigen::Vector3f {
       const float z =
           static_cast<float>(read.frame.depth.at<std::uint16_t>(v, u)) * read.frame.meters_per_unit;
@@ -54,28 +54,28 @@ Film recordingOf(const std::string& scene) {
         SurfacePoint point;
         point.position_world_m = T * here;
         point.normal_world = T.linear() * (below - above).cross(right - left).normalized();
-        film.mesh.vertices.push_back(point);
+        recording.mesh.vertices.push_back(point);
       }
     }
   }
-  return film;
+  return recording;
 }
 
-class UpDirectionOfRolledCamera : public testing::TestWithParam<const char*> {};
+class UpDirectionTest : public testing::TestWithParam<const char*> {};
 
-TEST_P(UpDirectionOfRolledCamera, IsThatOfTheSceneHoweverTheCameraIsHeld) {
-  const Film film = recordingOf(GetParam());
-  ASSERT_GT(film.mesh.vertices.size(), 10'000U);
+TEST_P(UpDirectionTest, IsUpInTheScene_WhenTheCameraIsRolled) {
+  const Recording recording = recordingOf(GetParam());
+  ASSERT_GT(recording.mesh.vertices.size(), 10'000U);
   for (int quarter_turns = 0; quarter_turns < 4; ++quarter_turns) {
-    const Eigen::Vector3f up = upDirection(rolled(film.frames, quarter_turns), film.mesh);
+    const Eigen::Vector3f up = upDirection(rolled(recording.frames, quarter_turns), recording.mesh);
     EXPECT_GT(up.z(), 0.99F) << "turned by " << 90 * quarter_turns << " degrees: " << up.transpose();
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, UpDirectionOfRolledCamera,
+INSTANTIATE_TEST_SUITE_P(Scenes, UpDirectionTest,
                          testing::Values("tabletop", "tabletop:4", "room", "room:2"));
 
-TEST(UpDirection, IsSquareToTheTableHoweverTheCameraIsHeld) {
+TEST(UpDirection, IsPerpendicularToTheTable_WhenTheCameraIsRolled) {
   ScannedScene scene;
   const LabeledMesh mesh = *scene.mesh();
   for (int quarter_turns = 0; quarter_turns < 4; ++quarter_turns) {
@@ -84,11 +84,11 @@ TEST(UpDirection, IsSquareToTheTableHoweverTheCameraIsHeld) {
   }
 }
 
-TEST(UpDirection, IsAsTheCameraIsHeld_WhenNothingIsLevel) {
+TEST(UpDirection, FollowsTheCamera_WhenNoSurfaceIsLevel) {
   ScannedScene scene;
   const auto frames = *scene.keyFrames(false);
-  const Eigen::Vector3f held = upDirection(frames, {});
-  EXPECT_LT((held + upDirection(rolled(frames, 2), {})).norm(), 1e-5F) << "upside down";
+  const Eigen::Vector3f upright = upDirection(frames, {});
+  EXPECT_LT((upright + upDirection(rolled(frames, 2), {})).norm(), 1e-5F) << "upside down";
 }
 
 }  // namespace
