@@ -101,7 +101,7 @@ class Person {
     began();
     const ColorPanel* const color = window_.parts().frames->colorPanel();
     const QPointF fraction((words[0].toDouble() + 0.5) / 640, (words[1].toDouble() + 0.5) / 480);
-    const QPointF place = color->mapToGlobal(color->placeOf(fraction)) * window_.devicePixelRatioF();
+    const QPointF place = color->mapToGlobal(color->positionOf(fraction)) * window_.devicePixelRatioF();
     const auto number = [](double value) { return QString::number(qRound(value)); };
     const QString how = words.value(2);
     const bool holds = how == "ctrl" || how == "shift";

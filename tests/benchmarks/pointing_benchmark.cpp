@@ -189,7 +189,7 @@ void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int pl
     const QPointF fraction(unit(random), unit(random));
     const RegionPoint in_frame = frames.pointing().at(fraction, FramePointing::Picture::other);
     if (!in_frame.region || !in_frame.point_world) continue;
-    const auto place = view->scene().viewpoint().placeOf(
+    const auto place = view->scene().viewpoint().positionOf(
         *in_frame.point_world, static_cast<float>(view->width()) / static_cast<float>(view->height()));
     if (!place) continue;
     const QPointF pixel((place->x() + 1) / 2.0 * view->width(), (1 - place->y()) / 2.0 * view->height());
@@ -273,7 +273,8 @@ int run(const std::string& source, int moves, int places, bool still) {
     if (scene) in_scene.push_back(*scene);
     QCoreApplication::postEvent(view, new QEvent(QEvent::Leave));
     wait(60);
-    const auto picture = timeOfLighting(window, *color, *color, color->placeOf({unit(random), unit(random)}));
+    const auto picture =
+        timeOfLighting(window, *color, *color, color->positionOf({unit(random), unit(random)}));
     if (picture) in_picture.push_back(*picture);
     QCoreApplication::postEvent(color, new QEvent(QEvent::Leave));
     wait(60);

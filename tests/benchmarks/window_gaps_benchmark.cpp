@@ -159,7 +159,7 @@ void nameRegions(MainWindow& window, GapWatch& gaps, int count) {
   gaps.watch("naming " + std::to_string(count) + " regions", 120, [&] {
     if (is_waiting || (since_done.isValid() && since_done.elapsed() < 400)) return false;
     if (done >= count) return true;
-    regions.selection().walk(true);
+    regions.selection().selectBySize(true);
     if (regions.selection().selected().empty()) return true;
     regions.nameEditor().named(QStringLiteral("named %1").arg(++done), {});
     is_waiting = true;

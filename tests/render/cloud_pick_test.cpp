@@ -68,7 +68,7 @@ TEST_F(CloudPickTest, PicksAtAPixelAndIgnoresClippedSurface) {
   show(wall(64, 1, 1), {{0}, {7}, {9}});
   render();
   const Eigen::Vector3f point(0.1F, -0.05F, kWall_m);
-  const auto position = scene_.viewpoint().placeOf(point, 1);
+  const auto position = scene_.viewpoint().positionOf(point, 1);
   ASSERT_TRUE(position);
   EXPECT_GT(position->x(), 0);
   EXPECT_GT(position->y(), 0) << "y points down";

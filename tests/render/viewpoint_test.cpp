@@ -45,7 +45,7 @@ TEST_F(ViewpointTest, FitShowsABoxAndKeepsTheDirection) {
   EXPECT_LT((scene_.viewpoint().forward() - direction).norm(), 1e-4F);
   for (int corner = 0; corner < 8; ++corner) {
     const auto position =
-        scene_.viewpoint().placeOf(box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)), 1.5F);
+        scene_.viewpoint().positionOf(box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)), 1.5F);
     ASSERT_TRUE(position);
     EXPECT_LE(position->cwiseAbs().maxCoeff(), 1);
   }
@@ -57,11 +57,11 @@ TEST_F(ViewpointTest, FitShowsABoxAndKeepsTheDirection) {
 TEST_F(ViewpointTest, PlaceOfInvertsRayAt) {
   scene_.viewpoint().lookAt({0.2F, -1, 0}, {0, 0, 2});
   const Eigen::Vector3f ray = scene_.viewpoint().rayAt(0.4F, -0.7F, 1.6F);
-  const auto position = scene_.viewpoint().placeOf(scene_.viewpoint().eye() + 3 * ray, 1.6F);
+  const auto position = scene_.viewpoint().positionOf(scene_.viewpoint().eye() + 3 * ray, 1.6F);
   ASSERT_TRUE(position);
   EXPECT_NEAR(position->x(), 0.4F, 1e-4);
   EXPECT_NEAR(position->y(), -0.7F, 1e-4);
-  EXPECT_FALSE(scene_.viewpoint().placeOf(scene_.viewpoint().eye() - ray, 1.6F));
+  EXPECT_FALSE(scene_.viewpoint().positionOf(scene_.viewpoint().eye() - ray, 1.6F));
 }
 
 }  // namespace

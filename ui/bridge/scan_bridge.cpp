@@ -30,7 +30,7 @@ ScanBridge::~ScanBridge() {
 
 void ScanBridge::receive(const ScanEvent& event) {
   const std::scoped_lock lock(mutex_);
-  // What is still in the mailbox belongs to the scan before: it must not reach the window after this event.
+  // A snapshot still in the mailbox belongs to the previous scan and must not be delivered after this event.
   if (isStarting(event) && port_.snapshots != nullptr) static_cast<void>(port_.snapshots->collect());
   queue_.push_back(event);
 }

@@ -12,20 +12,20 @@
 
 namespace scantrove {
 
-/// Carries commands to the worker of scans, and its events and snapshots to the window's thread. Events wait
-/// in a queue and none is lost; of the snapshots only the newest is collected, about 15 times a second. They
-/// come in order: a snapshot after all events that happened before it, and no snapshot of an earlier scan
-/// after `starting`. All of it is for the window's thread.
+/// Passes commands to the scan worker, and its events and snapshots to the window's thread. All events are
+/// delivered; of the snapshots only the newest, about 15 times a second. A snapshot is delivered after all
+/// events that happened before it. No snapshot of an earlier scan is delivered after `starting`. Use from the
+/// window's thread only.
 class ScanBridge : public QObject {
   Q_OBJECT
 
  public:
   explicit ScanBridge(const ScanPortFactory& factory, QObject* parent = nullptr);
-  ~ScanBridge() override;  ///< the scan has ended then
+  ~ScanBridge() override;  ///< waits for the end of the scan
 
   void post(ScanCommand command) { port_.post(std::move(command)); }
 
-  /// Calls `handler` with each event of this type from now on, while `context` lives.
+  /// Calls `handler` with each event of this type while `context` lives.
   template <class Event, class Handler>
   QMetaObject::Connection on(QObject* context, Handler handler) {
     return connect(this, &ScanBridge::eventArrived, context, [handler](const ScanEvent& event) {
@@ -39,9 +39,9 @@ class ScanBridge : public QObject {
     });
   }
 
-  /// The last state that was delivered, not the one the worker may be in by now.
+  /// The last delivered state; the worker may be in a later one.
   [[nodiscard]] ScanState state() const { return state_; }
-  /// A scan runs or is about to: it can be stopped.
+  /// A scan runs or is starting; it can be stopped.
   [[nodiscard]] bool busy() const { return isBusy(state_); }
 
  signals:

@@ -9,17 +9,17 @@
 
 namespace scantrove {
 
-/// What the window has of a ScanWorker, which ends with the last copy. The window's tests put a script behind
-/// it.
+/// The window's access to a ScanWorker. The worker ends when the last copy is destroyed. Tests use a scripted
+/// worker instead.
 struct ScanPort {
   std::function<void(ScanCommand command)> post;
   std::shared_ptr<LatestValue<ScanSnapshot>> snapshots;
 };
 
-/// Makes a worker whose events go to `listener`, on the worker's thread.
+/// Creates a worker that calls `listener` with its events, on the worker's thread.
 using ScanPortFactory = std::function<ScanPort(ScanListener listener)>;
 
-/// The real one.
+/// Creates a ScanWorker.
 [[nodiscard]] ScanPort startScanWorker(ScanListener listener);
 
 }  // namespace scantrove

@@ -6,7 +6,7 @@
 
 namespace scantrove {
 
-/// What a view shows at a place: the region of the surface there, never of something behind it.
+/// Region and surface point that a view shows at a position, never those of a hidden surface.
 struct RegionPoint {
   RegionId region;                             ///< none: no surface, or none with a label
   std::optional<Eigen::Vector3f> point_world;  ///< metres; none: no surface

@@ -4,7 +4,7 @@
 
 namespace scantrove {
 
-/// The colour that stands for a tracking state: in the 3D view and in the status line.
+/// Colour of a tracking state in the 3D view and in the status line.
 [[nodiscard]] constexpr Rgb trackingColor(TrackingState state) {
   switch (state) {
     case TrackingState::tracking:

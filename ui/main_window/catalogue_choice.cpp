@@ -40,11 +40,11 @@ void CatalogueChoice::openAtStart(const QString& given) {
     return;
   }
   const QString last = QSettings().value(kChosenKey).toString();
-  // The choice stays remembered: the disk with the file may only be absent today.
+  // The choice stays stored, because the disk with the file may only be missing now.
   if (!last.isEmpty() && !QFileInfo::exists(last)) {
-    emit noted(tr("The last catalogue %1 is missing. The window uses %2 now. Put the file back and restart, "
-                  "or choose another with File > Open catalogue.")
-                   .arg(last, defaultCatalogueFile()));
+    emit warned(tr("The last catalogue %1 is missing. The window uses %2 now. Put the file back and restart, "
+                   "or choose another with File > Open catalogue.")
+                    .arg(last, defaultCatalogueFile()));
   } else if (!last.isEmpty() && show(last)) {
     use(last);
     return;
@@ -57,12 +57,12 @@ void CatalogueChoice::choose(const QString& file, bool is_scan_shown) {
   const bool is_shown = editor_.isOpen() && isSameFile(editor_.file(), path);
   if (is_scan_shown && !is_shown) {
     UndoHistory no_steps;
-    CatalogueEditor trial(no_steps);  // creates it, or says now why it cannot be used
+    CatalogueEditor trial(no_steps);  // creates it, or reports now why it cannot be used
     if (const Result<void> opened = trial.open(path); !opened) {
       emit failed(QString::fromStdString(opened.error().message()));
       return;
     }
-    emit noted(tr("This scan keeps its own catalogue. %1 is used from the next scan on.").arg(path));
+    emit warned(tr("This scan keeps its own catalogue. The next scan uses %1.").arg(path));
   } else if (!show(path)) {
     return;
   }
@@ -79,16 +79,16 @@ void CatalogueChoice::showCatalogueOf(const QString& session_folder) {
   SessionSetup setup;
   for (const SessionSummary& scan : listSessions(folder)) {
     if (scan.folder != folder) continue;
-    if (!scan.damage.empty()) return;  // opening it says so
+    if (!scan.damage.empty()) return;  // opening it reports the damage
     setup.database = scan.database;
   }
   const QString file = QString::fromStdString(databaseFileOf(setup, folder).string());
   if (file.isEmpty()) return editor_.close();
   if (!QFileInfo::exists(file)) {
     editor_.close();
-    emit noted(tr("The catalogue %1 of this scan is missing, so no objects are shown. Put the file back and "
-                  "open the scan again.")
-                   .arg(file));
+    emit warned(tr("The catalogue %1 of this scan is missing, so no objects are shown. Put the file back and "
+                   "open the scan again.")
+                    .arg(file));
     return;
   }
   if (!show(file)) editor_.close();

@@ -7,8 +7,8 @@ namespace scantrove {
 class CatalogueEditor;
 class ScanController;
 
-/// Which catalogue the window shows. A person chooses the one that scans write into; the choice is remembered
-/// between runs. A saved scan is shown with its own catalogue, as its object numbers mean nothing elsewhere.
+/// Chooses the catalogue of the window. The user's choice, which scans write to, is stored between runs. A
+/// saved scan is shown with its own catalogue, because its object ids are only valid there.
 class CatalogueChoice : public QObject {
   Q_OBJECT
 
@@ -16,22 +16,22 @@ class CatalogueChoice : public QObject {
   /// Both outlive this.
   CatalogueChoice(CatalogueEditor& editor, ScanController& controller, QObject* parent = nullptr);
 
-  /// `given` holds for this run. Empty: the catalogue that was chosen last, or the person's own.
+  /// Opens `given` for this run; if empty, the last chosen catalogue or the user's default one.
   void openAtStart(const QString& given);
-  /// Scans that begin from now on use `file` (created where there is none). With a scan on screen the list
-  /// shows it only when that is closed.
+  /// Uses `file` (created if missing) for new scans. While a scan is shown, the list keeps showing that
+  /// scan's catalogue.
   void choose(const QString& file, bool is_scan_shown);
   void showChosen();
-  /// Shows the catalogue of a saved scan; no objects where that is missing.
+  /// Shows the catalogue of a saved scan, or no objects if it is missing.
   void showCatalogueOf(const QString& session_folder);
   [[nodiscard]] const QString& chosen() const { return chosen_; }
 
  signals:
-  void noted(const QString& message);
+  void warned(const QString& message);
   void failed(const QString& message);
 
  private:
-  /// False: it cannot be opened, which was announced.
+  /// False if it cannot be opened; failed() was emitted.
   bool show(const QString& file);
   void use(const QString& file);
 

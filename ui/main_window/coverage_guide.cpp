@@ -16,10 +16,10 @@ namespace scantrove {
 namespace {
 
 const QString kGuideKey = QStringLiteral("view/guide");
-/// How far from a thing one stands to look at it.
+/// Range of distances for viewing an object.
 constexpr float kNearest_m = 0.4F;
 constexpr float kFarthest_m = 1.2F;
-constexpr int kBoxHolds_ms = 1000;  // while the selection grows
+constexpr int kBoxInterval_ms = 1000;  // the box is updated at this interval
 
 }  // namespace
 
@@ -33,8 +33,9 @@ CoverageGuide::CoverageGuide(RegionSelection& selection, ScenePane& scene, Objec
   action_->setCheckable(true);
   action_->setChecked(QSettings().value(kGuideKey, true).toBool());
   action_->setShortcut(QKeySequence(tr("Shift+G")));
-  action_->setToolTip(tr("Point an arrow at the side of the selection that is still unseen (%1)")
-                          .arg(action_->shortcut().toString(QKeySequence::NativeText)));
+  action_->setToolTip(
+      tr("Show with an arrow where to move the camera to see the unseen sides of the selection (%1)")
+          .arg(action_->shortcut().toString(QKeySequence::NativeText)));
   connect(action_, &QAction::toggled, this, [this](bool on) {
     QSettings().setValue(kGuideKey, on);
     update();
@@ -89,30 +90,30 @@ void CoverageGuide::update() {
     if (is_object) coverage.add(info->seen_from);
   }
   shown_.reset();
-  const bool had_arrow = leads_to_.has_value();
-  leads_to_.reset();
+  const bool had_arrow = target_direction_.has_value();
+  target_direction_.reset();
   if (is_object) {
     shown_ = sidesOf(coverage, scene_.view()->scene().sideAxes());
     showArrow(*shown_);
   }
   scene_.overlay()->setSeenSides(shown_, shown_ ? sidesInWords(*shown_) : QString());
-  if (!leads_to_) scene_.view()->scene().hideArrow();
-  if (had_arrow || leads_to_) scene_.view()->drawing().redraw();
+  if (!target_direction_) scene_.view()->scene().hideArrow();
+  if (had_arrow || target_direction_) scene_.view()->drawing().redraw();
   placeLabel();
 }
 
 void CoverageGuide::showArrow(const SeenSides& seen) {
   if (!camera_ || !action_->isChecked()) return;
-  if (!since_box_.isValid() || since_box_.hasExpired(kBoxHolds_ms)) findBox();
+  if (!since_box_.isValid() || since_box_.hasExpired(kBoxInterval_ms)) findBox();
   if (box_.isEmpty()) return;
   LabelCloudScene& scene = scene_.view()->scene();
   const SideAxes axes = scene.sideAxes();
   const Eigen::Vector3f from = *camera_ - box_.center();
-  leads_to_ = nextDirection(seen, axes, from);
+  target_direction_ = nextDirection(seen, axes, from);
   const float level = (from - from.dot(axes.up) * axes.up).norm();
-  if (!leads_to_ || !(level > 0.02F)) return leads_to_.reset();
+  if (!target_direction_ || !(level > 0.02F)) return target_direction_.reset();
   const float distance_m = std::clamp(from.norm(), kNearest_m, kFarthest_m);
-  const Eigen::Vector3f to = distance_m * *leads_to_;
+  const Eigen::Vector3f to = distance_m * *target_direction_;
   head_ = box_.center() + to;
   scene.showArrow(box_.center(), from.normalized() * distance_m, to);
 }
@@ -126,12 +127,12 @@ void CoverageGuide::findBox() {
 void CoverageGuide::placeLabel() {
   SceneView* const view = scene_.view();
   const float aspect = static_cast<float>(view->width()) / static_cast<float>(std::max(1, view->height()));
-  std::optional<Eigen::Vector2f> place;
-  if (leads_to_) place = view->scene().viewpoint().placeOf(head_, aspect);
+  std::optional<Eigen::Vector2f> position;
+  if (target_direction_) position = view->scene().viewpoint().positionOf(head_, aspect);
   std::optional<QPointF> in_view;
-  if (place && place->cwiseAbs().maxCoeff() <= 1) {
-    in_view = QPointF((1 + static_cast<double>(place->x())) * view->width() / 2,
-                      (1 - static_cast<double>(place->y())) * view->height() / 2);
+  if (position && position->cwiseAbs().maxCoeff() <= 1) {
+    in_view = QPointF((1 + static_cast<double>(position->x())) * view->width() / 2,
+                      (1 - static_cast<double>(position->y())) * view->height() / 2);
   }
   scene_.overlay()->setMark(in_view, tr("Move here"));
 }

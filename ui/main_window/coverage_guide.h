@@ -15,8 +15,8 @@ class ObjectListModel;
 class RegionSelection;
 class ScenePane;
 
-/// Tells a person who collects objects from which sides they were seen: the objects' rings in the list, and
-/// for what is selected a ring in the 3D view, and an arrow around it to where to look from next.
+/// Shows the user from which sides objects were seen: rings in the object list, a ring for the selection in
+/// the 3D view, and an arrow to the next viewpoint.
 class CoverageGuide : public QObject {
   Q_OBJECT
 
@@ -27,12 +27,12 @@ class CoverageGuide : public QObject {
   void beginScan();
   void showSnapshot(const ScanSnapshot& snapshot);
 
-  /// Whether the arrow is shown; remembered.
+  /// Switches the arrow; stored between runs.
   [[nodiscard]] QAction* action() const { return action_; }
-  /// Of what is selected; none: nothing is, or it is no thing that one would collect.
+  /// Seen sides of the selection; none if nothing, background or a rejected region is selected.
   [[nodiscard]] const std::optional<SeenSides>& shown() const { return shown_; }
-  /// Where the arrow leads, from the middle of what is selected (unit, world); none: there is no arrow.
-  [[nodiscard]] const std::optional<Eigen::Vector3f>& leadsTo() const { return leads_to_; }
+  /// Direction (unit, world) from the middle of the selection to the arrow's target; none: no arrow.
+  [[nodiscard]] const std::optional<Eigen::Vector3f>& targetDirection() const { return target_direction_; }
 
  private:
   void update();
@@ -45,14 +45,14 @@ class CoverageGuide : public QObject {
   ScenePane& scene_;
   ObjectListModel& objects_;
   QAction* action_;
-  std::map<ObjectId, ViewCoverage> objects_seen_from_;  ///< as the list shows it
+  std::map<ObjectId, ViewCoverage> objects_seen_from_;  ///< as shown in the list
   std::map<ObjectId, SeenSides> sides_of_objects_;
   SideAxes axes_of_objects_;
-  Eigen::AlignedBox3f box_;                ///< of what is selected
-  QElapsedTimer since_box_;                ///< was found; not valid: it is of something else
-  std::optional<Eigen::Vector3f> camera_;  ///< centre, world; none: there is none to be moved
+  Eigen::AlignedBox3f box_;                ///< of the selection
+  QElapsedTimer since_box_;                ///< since box_ was computed; invalid: the selection changed
+  std::optional<Eigen::Vector3f> camera_;  ///< position, world; none: no camera that can move
   std::optional<SeenSides> shown_;
-  std::optional<Eigen::Vector3f> leads_to_;
+  std::optional<Eigen::Vector3f> target_direction_;
   Eigen::Vector3f head_ = Eigen::Vector3f::Zero();  ///< of the arrow, world
 };
 

@@ -17,14 +17,14 @@ namespace scantrove {
 namespace {
 
 constexpr int kLayoutVersion = 2;
-/// In less room docks share a place, one shown at a time.
+/// On smaller screens docks are tabbed.
 constexpr int kMinWidthForColumns = 1000;
 constexpr int kMinHeightToStack = 640;
 const QString kLayoutKey = QStringLiteral("window/docks");
 
 QString widthKey(const QDockWidget* dock) { return QStringLiteral("window/width/") + dock->objectName(); }
 
-/// Qt's own icon does not follow the theme, and comes back with each change of style.
+/// Qt's icon does not follow the theme and returns with each change of style.
 void drawCloseButton(const QDockWidget& dock) {
   if (auto* button = dock.findChild<QAbstractButton*>(QStringLiteral("qt_dockwidget_closebutton"))) {
     button->setIcon(icon(QStringLiteral("close")));
@@ -46,20 +46,20 @@ QDockWidget* DockArrangement::add(const Dock& dock, QWidget* content) {
   widget->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   widget->setWidget(content);
   widget->toggleViewAction()->setShortcut(QKeySequence(dock.key));
-  // Opened or closed by hand: that holds for the scan as well.
+  // A dock that the user opened or closed keeps that state during a scan.
   connect(widget->toggleViewAction(), &QAction::triggered, this,
           [this, widget] { waiting_for_scan_.removeAll(widget); });
   connect(&Theme::instance(), &Theme::changed, widget, [widget] { drawCloseButton(*widget); });
   drawCloseButton(*widget);
   window_.addDockWidget(dock.area, widget);
   docks_ << widget;
-  usual_.emplace(widget, dock);
-  preferred_widths_[widget] = dock.usual_width;
+  defaults_.emplace(widget, dock);
+  preferred_widths_[widget] = dock.default_width;
   return widget;
 }
 
 void DockArrangement::restore() {
-  arrangeAsUsual();
+  resetLayout();
   const QSettings settings;
   for (QDockWidget* dock : docks_) {
     preferred_widths_[dock] = settings.value(widthKey(dock), preferred_widths_[dock]).toInt();
@@ -75,14 +75,14 @@ void DockArrangement::save() {
   settings.setValue(kLayoutKey, window_.saveState(kLayoutVersion));
 }
 
-void DockArrangement::arrangeAsUsual() { arrangeFor(window_.screen()->availableSize()); }
+void DockArrangement::resetLayout() { arrangeFor(window_.screen()->availableSize()); }
 
 void DockArrangement::arrangeFor(const QSize& room) {
   const bool has_columns = room.width() >= kMinWidthForColumns;
   const bool is_folded = !has_columns || room.height() < kMinHeightToStack;
   std::map<Qt::DockWidgetArea, QDockWidget*> above;
   for (QDockWidget* dock : docks_) {
-    const Qt::DockWidgetArea area = has_columns ? usual_.at(dock).area : Qt::LeftDockWidgetArea;
+    const Qt::DockWidgetArea area = has_columns ? defaults_.at(dock).area : Qt::LeftDockWidgetArea;
     window_.addDockWidget(area, dock);
     dock->show();
     if (!above.contains(area)) {
@@ -92,7 +92,7 @@ void DockArrangement::arrangeFor(const QSize& room) {
     } else {
       window_.splitDockWidget(std::exchange(above[area], dock), dock, Qt::Vertical);
     }
-    preferred_widths_[dock] = std::min(usual_.at(dock).usual_width, room.width() / 2);
+    preferred_widths_[dock] = std::min(defaults_.at(dock).default_width, room.width() / 2);
   }
   if (is_folded) {
     for (const auto& [area, dock] : above) dock->raise();
@@ -105,12 +105,12 @@ void DockArrangement::setScanShown(bool shown) {
   is_scan_shown_ = shown;
   if (shown) {
     for (QDockWidget* dock : std::exchange(waiting_for_scan_, {})) dock->show();
-    docks_.first()->raise();  // where they share its place
+    docks_.first()->raise();  // if the docks are tabbed
     applyWidths();
     return;
   }
   for (QDockWidget* dock : docks_) {
-    if (!usual_.at(dock).only_with_scan || dock->isHidden()) continue;
+    if (!defaults_.at(dock).only_with_scan || dock->isHidden()) continue;
     waiting_for_scan_.removeAll(dock);
     waiting_for_scan_ << dock;
     dock->hide();
@@ -134,7 +134,7 @@ void DockArrangement::applyWidths() {
     widths << preferred_widths_[dock];
   }
   window_.resizeDocks(shown, widths, Qt::Horizontal);
-  // Qt only notes them down for the next layout.
+  // resizeDocks() takes effect with the next layout.
   window_.layout()->invalidate();
   window_.layout()->activate();
 }
@@ -149,7 +149,7 @@ void DockArrangement::recordWidths() {
 }
 
 bool DockArrangement::eventFilter(QObject* watched, QEvent* event) {
-  // The lines between the docks are no widgets: the window itself gets the mouse that drags them.
+  // The separators of docks are no widgets, so the window gets their mouse events.
   if (event->type() == QEvent::MouseButtonPress) widths_at_press_ = presentWidths();
   if (event->type() == QEvent::MouseButtonRelease)
     QTimer::singleShot(0, this, &DockArrangement::recordWidths);

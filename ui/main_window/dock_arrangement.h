@@ -8,9 +8,8 @@
 
 namespace scantrove {
 
-/// The docks of the main window: where they are, how wide a person wants each, and which of them only make
-/// sense with a scan. A window that was small for a while gives the docks their width back. All of it is kept
-/// between runs.
+/// The docks of the main window: their positions, preferred widths, and which of them need a scan. Restores
+/// widths after the window was small. Stored between runs.
 class DockArrangement : public QObject {
   Q_OBJECT
 
@@ -19,20 +18,20 @@ class DockArrangement : public QObject {
 
   struct Dock {
     QString title;
-    const char* name;  ///< under which it is remembered
-    QString key;       ///< shows and hides it
+    const char* name;  ///< object name for stored settings
+    QString key;       ///< shortcut that shows and hides it
     Qt::DockWidgetArea area;
-    int usual_width;
+    int default_width;
     bool only_with_scan;
   };
   QDockWidget* add(const Dock& dock, QWidget* content);
-  /// After all were added: as at the last run, or as usual.
+  /// Call after all docks were added: restores the last layout, or the default one.
   void restore();
   void save();
-  void arrangeAsUsual();
-  /// As usual in so much room: where there is little, docks share a place, as tabs.
+  void resetLayout();
+  /// Default layout for a screen of this size; on a small one docks are tabbed.
   void arrangeFor(const QSize& room);
-  /// Without a scan, the docks that need one are hidden; those that were open come back with it.
+  /// Hides the docks that need a scan while there is none.
   void setScanShown(bool shown);
 
   [[nodiscard]] const QList<QDockWidget*>& docks() const { return docks_; }
@@ -43,15 +42,15 @@ class DockArrangement : public QObject {
  private:
   [[nodiscard]] std::map<QDockWidget*, int> presentWidths() const;
   void applyWidths();
-  void applyWidthsSoon();  ///< after Qt has laid the docks out
+  void applyWidthsSoon();  ///< after Qt's layout of the docks
   void recordWidths();
 
   QMainWindow& window_;
   QList<QDockWidget*> docks_;
-  std::map<QDockWidget*, Dock> usual_;
+  std::map<QDockWidget*, Dock> defaults_;
   std::map<QDockWidget*, int> preferred_widths_;
   std::map<QDockWidget*, int> widths_at_press_;
-  QList<QDockWidget*> waiting_for_scan_;  ///< hidden until then
+  QList<QDockWidget*> waiting_for_scan_;  ///< hidden until a scan is shown
   bool is_scan_shown_ = true;
 };
 

@@ -18,13 +18,13 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   open_camera = make("camera", tr("&Camera…"), tr("Ctrl+K"), tr("Scan with a depth camera"));
   open_tabletop = make("table", tr("&Tabletop"), {}, tr("The built-in table with objects"));
   open_room = make("room", tr("&Room"), {}, tr("The built-in room"));
-  open_catalogue = make("database", tr("Open c&atalogue…"), {}, tr("Use another file of objects"));
-  open_session = make("clock", tr("Open a &scan…"), {}, tr("Open a saved scan to label it"));
+  open_catalogue = make("database", tr("Open ca&talogue…"), {}, tr("Open or create another catalogue"));
+  open_session = make("clock", tr("Open &scan…"), {}, tr("Open a saved scan to label it"));
   export_data = make("image", tr("&Export data set…"), tr("Ctrl+E"),
                      tr("Export the labelled scan (COCO, BOP, meshes, …)"));
-  close_scan = make("close", tr("&Close scan"), tr("Ctrl+W"),
+  close_scan = make("close", tr("C&lose scan"), tr("Ctrl+W"),
                     tr("Close this scan and show the start page; the scan stays saved"));
-  quit = make("", tr("&Quit"), tr("Ctrl+Q"), tr("End the program"));
+  quit = make("", tr("&Quit"), tr("Ctrl+Q"), tr("Quit Scantrove"));
 
   start = make("start", tr("&Start"), tr("Ctrl+R"), tr("Scan from the beginning, or resume"));
   pause = make("pause", tr("&Pause"), tr("Space"), tr("Pause or resume"));
@@ -56,7 +56,7 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   next_picture = make("", tr("&Enlarge next image"), tr("V"), tr("Show the next image of the frame large"));
   frame_back = make("", tr("&Previous key frame"), tr("PgUp"), tr("Go to the previous key frame"));
   frame_on = make("", tr("Ne&xt key frame"), tr("PgDown"), tr("Go to the next key frame"));
-  present = make("", tr("&Presentation mode"), tr("F11"), tr("Show the scene full screen; Escape leaves"));
+  present = make("", tr("Prese&ntation mode"), tr("F11"), tr("Show the scene full screen; Escape ends"));
   reset_layout = make("", tr("&Reset layout"), {}, tr("Move all panels back to their default positions"));
   help_keys = make("help", tr("&Keys and mouse"), tr("?"), tr("Show all keys and mouse actions"));
   help_keys->setShortcuts({QKeySequence(tr("?")), QKeySequence(Qt::Key_F1)});

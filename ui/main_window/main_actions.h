@@ -8,12 +8,12 @@ class QUndoStack;
 
 namespace scantrove {
 
-/// The window's commands, each with its icon, key and words; menus and tool bar are made of them.
+/// The actions of menus and tool bar, with icons, keys and texts.
 class MainActions : public QObject {
   Q_OBJECT
 
  public:
-  /// `undo`: of all that can be undone.
+  /// `undo`: the undo steps of the window.
   MainActions(QUndoStack& undo, QObject* parent);
 
   QAction* open_folder;
@@ -51,11 +51,11 @@ class MainActions : public QObject {
   QAction* help_keys;
   QAction* about;
 
-  /// What can be done in this state of the session.
+  /// Enables the actions that are possible in this state.
   void enableFor(ScanState state, bool has_source);
-  /// A session is open, of which data sets can be made.
+  /// `open`: a session is open for browsing and export.
   void enableReview(bool open);
-  /// That session has not been refined.
+  /// `can_refine`: the open session is not refined yet.
   void enableRefinement(bool can_refine);
 
  private:

@@ -44,7 +44,7 @@ void MainMenus::makeMenus() {
   demo->addActions({actions.open_tabletop, actions.open_room});
   recent_ = file->addMenu(icon(QStringLiteral("clock")), tr("Scan &again"));
   recent_->setObjectName(QStringLiteral("recentMenu"));
-  // Filled as it opens: while it is open nothing moves under the mouse.
+  // Filled when it opens, so that it does not change while open.
   connect(file, &QMenu::aboutToShow, this, &MainMenus::fillRecentMenu);
   file->addSeparator();
   file->addAction(actions.export_data);
@@ -155,7 +155,7 @@ void MainMenus::connectActions() {
   on(actions.theme_system, [this] { chooseTheme(ThemeChoice::system); });
   on(actions.theme_light, [this] { chooseTheme(ThemeChoice::light); });
   on(actions.theme_dark, [this] { chooseTheme(ThemeChoice::dark); });
-  on(actions.reset_layout, [this] { window_.docks().arrangeAsUsual(); });
+  on(actions.reset_layout, [this] { window_.docks().resetLayout(); });
   on(actions.present, [this] { window_.presentation()->begin(); });
   on(actions.help_keys, [this] { window_.dialogs().showHelp(); });
   on(actions.about, [this] { window_.dialogs().showAbout(); });
@@ -181,7 +181,7 @@ void MainMenus::fillRecentMenu() {
   if (recent_->isEmpty()) return;
   recent_->addSeparator();
   recent_->addAction(tr("Clear list"), this, [this] {
-    forgetRecentSources();
+    clearRecentSources();
     parts_.start->setRecent({});
   });
 }

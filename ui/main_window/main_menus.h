@@ -10,12 +10,12 @@ namespace scantrove {
 
 class MainWindow;
 
-/// The menus and the tool bar, and what their actions do.
+/// Creates menus and tool bar, and connects their actions.
 class MainMenus : public QObject {
   Q_OBJECT
 
  public:
-  /// The window's parts are there already.
+  /// Call after the window's parts were created.
   explicit MainMenus(MainWindow& window);
 
  private:

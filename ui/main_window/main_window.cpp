@@ -43,8 +43,8 @@ namespace {
 const QString kGeometryKey = QStringLiteral("window/geometry");
 constexpr int kObjectsWidth = 290;
 constexpr int kFramesWidth = 480;
-constexpr int kOtherPrograms_ms = 1000;  ///< what they write is seen after that
-constexpr int kHeldList_ms = 50;
+constexpr int kOtherPrograms_ms = 1000;  ///< interval for reading their changes of the catalogue
+constexpr int kListInUse_ms = 50;
 }  // namespace
 
 MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& options)
@@ -88,7 +88,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
 }
 
 MainWindow::~MainWindow() {
-  // The scan ends, and with it all news, before the first widget goes.
+  // Ends the scan and its events before widgets are destroyed.
   delete controller_;
 }
 
@@ -133,7 +133,7 @@ bool MainWindow::onStartPage() const { return center_->currentWidget() == parts_
 
 void MainWindow::showStartPage() {
   catalogue_->showChosen();
-  regions_->beginScan();  // questions, steps and selections end with their scan
+  regions_->beginScan();  // clears questions, undo steps and selection of the scan
   parts_.start->setRecent(recentSources());
   showSavedScans();
   center_->setCurrentWidget(parts_.start);
@@ -215,7 +215,7 @@ void MainWindow::connectCatalogue() {
   ScanBridge& bridge = controller_->bridge();
   catalogue_timer_.setSingleShot(true);
   connect(&catalogue_timer_, &QTimer::timeout, this, &MainWindow::readCatalogueChanges);
-  connect(catalogue_, &CatalogueChoice::noted, this,
+  connect(catalogue_, &CatalogueChoice::warned, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
   connect(catalogue_, &CatalogueChoice::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::error, message); });
@@ -242,9 +242,9 @@ void MainWindow::connectCatalogue() {
 }
 
 void MainWindow::readCatalogueChanges() {
-  const bool wait = parts_.objects->list()->isHeld();
+  const bool wait = parts_.objects->list()->isPressed();
   if (!wait) editor_.poll();
-  catalogue_timer_.start(wait ? kHeldList_ms : kOtherPrograms_ms);
+  catalogue_timer_.start(wait ? kListInUse_ms : kOtherPrograms_ms);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

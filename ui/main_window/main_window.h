@@ -22,8 +22,8 @@ class RegionController;
 class ScanController;
 class WindowDialogs;
 
-/// The window: holds its parts and ties them to the catalogue and each other. ScanDisplay shows the scan in
-/// them, MainMenus what can be done.
+/// The main window: owns its parts and connects them with each other and the catalogue. ScanDisplay shows the
+/// scan; MainMenus has the actions.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -32,13 +32,13 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void open(const QString& source);
-  /// Not while a name is being typed that cannot be stored.
+  /// Does nothing while a typed name cannot be stored.
   void openCatalogue(const QString& file);
 
-  /// Looks at a scan that was kept.
+  /// Opens a saved scan.
   void openSession(const QString& folder);
 
-  /// Ends what is scanned or looked at, and shows the first page.
+  /// Ends or closes the scan and shows the start page.
   void closeScan();
 
   void showStartPage();
@@ -70,7 +70,7 @@ class MainWindow : public QMainWindow {
   void showSavedScans();
   void readCatalogueChanges();
 
-  UndoHistory history_;  ///< of all parts of the window; outlives them
+  UndoHistory history_;  ///< of all parts of the window; declared first to outlive them
   CatalogueEditor editor_;
   ObjectListModel model_;
   ScanController* controller_;

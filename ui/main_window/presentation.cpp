@@ -19,9 +19,9 @@ namespace scantrove {
 namespace {
 
 constexpr int kTurnEach_ms = 60;
-constexpr int kUntouched_ms = 4000;
+constexpr int kIdle_ms = 4000;
 constexpr int kCaption_ms = 6000;
-constexpr int kAgainAfter_ms = 12000;
+constexpr int kRepeatAfter_ms = 12000;
 constexpr float kTurn_rad = 0.006F;
 
 }  // namespace
@@ -39,18 +39,18 @@ Presentation::Presentation(MainWindow& window)
   connect(&turning_, &QTimer::timeout, this, &Presentation::turn);
   caption_timer_.setSingleShot(true);
   connect(&caption_timer_, &QTimer::timeout, caption_, &QWidget::hide);
-  again_.setSingleShot(true);
-  connect(&again_, &QTimer::timeout, this, [this] {
+  repeat_timer_.setSingleShot(true);
+  connect(&repeat_timer_, &QTimer::timeout, this, [this] {
     if (is_on_) window_.controller().start();
   });
   ScanBridge& bridge = window_.controller().bridge();
   bridge.on<ObjectAdded>(this, [this](const ObjectAdded& added) {
-    say(tr("Object found: %1").arg(QString::fromStdString(added.name)));
+    showCaption(tr("Object found: %1").arg(QString::fromStdString(added.name)));
   });
   bridge.on<ObjectRecognized>(this, [this](const ObjectRecognized& known) {
-    say(tr("Recognised: %1").arg(QString::fromStdString(known.name)));
+    showCaption(tr("Recognised: %1").arg(QString::fromStdString(known.name)));
   });
-  bridge.on<PreparingDevice>(this, [this] { say(tr("Preparing the OpenCL device (once)")); });
+  bridge.on<PreparingDevice>(this, [this] { showCaption(tr("Preparing the OpenCL device (once)")); });
   bridge.on<StateChanged>(this, [this] {
     if (is_on_) hideOthers();
     removeEndedCatalogues();
@@ -61,7 +61,7 @@ Presentation::Presentation(MainWindow& window)
 
 void Presentation::begin() {
   if (std::exchange(is_on_, true)) return;
-  was_maximised_ = window_.isMaximized();
+  was_maximized_ = window_.isMaximized();
   hideOthers();
   window_.showFullScreen();
   ScanController& controller = window_.controller();
@@ -69,12 +69,12 @@ void Presentation::begin() {
     catalogue_ = std::make_unique<QTemporaryDir>();
     catalogue_before_ = QString::fromStdString(controller.request().database);
     controller.setDatabase(catalogue_->filePath(QStringLiteral("catalogue.sqlite")));
-    controller.setKeepsScans(false);
+    controller.setSavesScans(false);
   }
   qApp->installEventFilter(this);
-  untouched_.start();
+  since_input_.start();
   turning_.start();
-  say(tr("Scantrove"));
+  showCaption(tr("Scantrove"));
 }
 
 void Presentation::hideOthers() {
@@ -92,21 +92,21 @@ void Presentation::end() {
   if (!std::exchange(is_on_, false)) return;
   qApp->removeEventFilter(this);
   turning_.stop();
-  again_.stop();
+  repeat_timer_.stop();
   caption_->hide();
   for (QWidget* widget : std::exchange(hidden_, {})) widget->show();
   if (catalogue_ != nullptr) {
     window_.closeScan();
-    window_.controller().setKeepsScans(true);
+    window_.controller().setSavesScans(true);
     window_.controller().setDatabase(catalogue_before_);
     ended_catalogues_.push_back(std::move(catalogue_));
   }
-  was_maximised_ ? window_.showMaximized() : window_.showNormal();
+  was_maximized_ ? window_.showMaximized() : window_.showNormal();
 }
 
 QString Presentation::caption() const { return caption_->isVisible() ? caption_->text() : QString(); }
 
-void Presentation::say(const QString& text) {
+void Presentation::showCaption(const QString& text) {
   if (!is_on_) return;
   caption_->setText(text);
   caption_->adjustSize();
@@ -122,14 +122,14 @@ void Presentation::placeCaption() {
 }
 
 void Presentation::turn() {
-  if (untouched_.elapsed() < kUntouched_ms) return;
+  if (since_input_.elapsed() < kIdle_ms) return;
   window_.parts().scene->view()->turn(kTurn_rad);
 }
 
 void Presentation::scanHasEnded() {
   if (!is_on_ || catalogue_ == nullptr) return;
   window_.parts().messages->dismiss();
-  again_.start(kAgainAfter_ms);
+  repeat_timer_.start(kRepeatAfter_ms);
 }
 
 void Presentation::removeEndedCatalogues() {
@@ -145,12 +145,12 @@ bool Presentation::eventFilter(QObject* watched, QEvent* event) {
         event->accept();
         return true;
       }
-      untouched_.start();
+      since_input_.start();
       break;
     case QEvent::MouseMove:
     case QEvent::MouseButtonPress:
     case QEvent::Wheel:
-      untouched_.start();
+      since_input_.start();
       break;
     case QEvent::Resize:
       if (watched == caption_->parentWidget()) placeCaption();

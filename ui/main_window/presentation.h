@@ -13,9 +13,9 @@ namespace scantrove {
 
 class MainWindow;
 
-/// The window as something to look at: the whole screen is the 3D view, which turns slowly when nobody
-/// touches it, and a caption in large letters says what happens. From the first page on it shows scans of its
-/// own, again and again; what is open already stays as it is. Escape leaves.
+/// Presentation mode: shows the 3D view full screen, turning slowly without user input, with large captions
+/// of events. Started from the start page, it repeats its scans with a temporary catalogue and does not save
+/// them. Escape ends it.
 class Presentation : public QObject {
   Q_OBJECT
 
@@ -31,26 +31,26 @@ class Presentation : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// All but the 3D view; what comes with a scan, too.
+  /// Hides everything except the 3D view, also docks that a scan opens.
   void hideOthers();
-  void say(const QString& text);
+  void showCaption(const QString& text);
   void turn();
   void placeCaption();
   void scanHasEnded();
-  /// The scan that used them has ended: removes the catalogues of presentations that are over.
+  /// Removes catalogues of ended presentations when no scan uses them.
   void removeEndedCatalogues();
 
   MainWindow& window_;
   QLabel* caption_;
-  QTimer turning_, caption_timer_, again_;
-  QElapsedTimer untouched_;
-  QList<QWidget*> hidden_;  ///< for the time of it
-  /// While it shows scans of its own: their catalogue. A person's is not filled with the demo's things.
+  QTimer turning_, caption_timer_, repeat_timer_;
+  QElapsedTimer since_input_;
+  QList<QWidget*> hidden_;  ///< widgets to show again
+  /// Temporary catalogue of the scans, so that the user's one gets no objects of the demo.
   std::unique_ptr<QTemporaryDir> catalogue_;
-  /// Of presentations that are over. The scan still writes into the last one until it has ended.
+  /// Of ended presentations. A scan may still write to the last one.
   std::vector<std::unique_ptr<QTemporaryDir>> ended_catalogues_;
   QString catalogue_before_;
-  bool was_maximised_ = false;
+  bool was_maximized_ = false;
   bool is_on_ = false;
 };
 

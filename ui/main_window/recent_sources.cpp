@@ -8,7 +8,7 @@ namespace {
 const QString kKey = QStringLiteral("recent_sources");
 constexpr int kMax = 8;
 
-bool stillThere(const QString& source) {
+bool sourceExists(const QString& source) {
   return source == QLatin1String("demo") || source.startsWith(QLatin1String("demo:")) ||
          source == QLatin1String("camera") || source.startsWith(QLatin1String("camera:")) ||
          source == QLatin1String("freenect") || source.startsWith(QLatin1String("freenect:")) ||
@@ -19,19 +19,19 @@ bool stillThere(const QString& source) {
 QStringList recentSources() {
   QStringList sources;
   for (const QString& source : QSettings().value(kKey).toStringList()) {
-    if (stillThere(source)) sources << source;
+    if (sourceExists(source)) sources << source;
   }
   return sources;
 }
 
-void rememberSource(const QString& source) {
+void addRecentSource(const QString& source) {
   QStringList sources = recentSources();
   sources.removeAll(source);
   sources.prepend(source);
   QSettings().setValue(kKey, QStringList(sources.mid(0, kMax)));
 }
 
-void forgetRecentSources() { QSettings().remove(kKey); }
+void clearRecentSources() { QSettings().remove(kKey); }
 
 bool isSessionFolder(const QString& folder) {
   return QFileInfo::exists(folder + QStringLiteral("/session.sqlite"));

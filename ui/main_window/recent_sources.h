@@ -3,12 +3,12 @@
 
 namespace scantrove {
 
-/// What was opened lately, newest first, remembered between runs. Paths that are gone are left out.
+/// Recently opened sources, newest first, stored between runs. Omits missing paths.
 [[nodiscard]] QStringList recentSources();
-void rememberSource(const QString& source);
-void forgetRecentSources();
+void addRecentSource(const QString& source);
+void clearRecentSources();
 
-/// Whether the folder is a scan that was kept.
+/// Whether the folder holds a saved scan.
 [[nodiscard]] bool isSessionFolder(const QString& folder);
 
 }  // namespace scantrove

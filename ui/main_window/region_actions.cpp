@@ -6,31 +6,32 @@ namespace scantrove {
 
 RegionActions::RegionActions(QObject* parent) : QObject(parent) {
   name = make("rename", tr("&Name…"), {Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2},
-              tr("Name the region; the catalogue gets an object of that name"));
-  join = make("merge", tr("&Join"), {Qt::Key_J}, tr("Make one region of the selected regions"));
+              tr("Name the region, which makes it an object of the catalogue"));
+  join = make("merge", tr("&Join"), {Qt::Key_J}, tr("Join the selected regions into one"));
   cut = make("", tr("&Split…"), {Qt::Key_C}, tr("Split a region between two strokes or clicks"));
   finer = make("", tr("Split &further"), {Qt::Key_Plus, Qt::Key_Equal},
                tr("Split this region at its weakest borders"));
-  coarser =
-      make("", tr("&Merge with neighbour"), {Qt::Key_Minus}, tr("Merge it with the most likely neighbour"));
-  background =
-      make("", tr("&Background"), {Qt::Key_B}, tr("Mark as wall, floor or table; data sets leave it out"));
+  coarser = make("", tr("&Merge with neighbour"), {Qt::Key_Minus},
+                 tr("Merge this region with its most likely neighbour"));
+  background = make("", tr("&Background"), {Qt::Key_B},
+                    tr("Mark as background (wall, floor, table), which data sets omit"));
   background->setCheckable(true);
-  object = make("cube", tr("Mark as &object"), {Qt::Key_O}, tr("Add it to the catalogue, complete or not"));
+  object = make("cube", tr("Mark as &object"), {Qt::Key_O}, tr("Add the region to the catalogue"));
   reject = make("delete", tr("&Not an object"), {Qt::Key_Delete},
-                tr("Mark as no object, and never suggest it again"));
+                tr("Mark as not an object; it is not suggested again"));
   reject->setCheckable(true);
   accept = make("", tr("&Accept suggestion"), {Qt::Key_A}, tr("Accept this suggestion"));
   accept_all = make("", tr("Accept &all suggestions"), {QKeySequence(Qt::SHIFT | Qt::Key_A)},
                     tr("Accept all suggestions"));
-  not_this = make("", tr("Re&ject suggestion"), {Qt::Key_Backspace}, tr("Reject this suggestion for good"));
+  not_this =
+      make("", tr("Re&ject suggestion"), {Qt::Key_Backspace}, tr("Reject this suggestion permanently"));
   next = make("", tr("Ne&xt region"), {Qt::Key_Tab}, tr("Select the next smaller region"));
   previous = make("", tr("Pre&vious region"), {QKeySequence(Qt::SHIFT | Qt::Key_Tab)},
                   tr("Select the next larger region"));
   fit =
       make("fit", tr("&Zoom to selection"), {Qt::Key_Period}, tr("Show the selected region in the 3D view"));
   deselect = make("", tr("&Deselect"), {Qt::Key_Escape}, tr("Clear the selection"));
-  for (int i = 1; i <= 9; ++i) recent << make("", {}, {QKeySequence(Qt::Key_0 + i)}, tr("Use this name"));
+  for (int i = 1; i <= 9; ++i) recent << make("", {}, {QKeySequence(Qt::Key_0 + i)}, tr("Give this name"));
   setRecentNames({});
   enableFor(0, false, false);
   enableProposals(false);

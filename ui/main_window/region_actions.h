@@ -5,8 +5,7 @@
 
 namespace scantrove {
 
-/// What a person does to the regions that are selected, each with its key. The keys hold while the 3D view or
-/// the pictures have the focus.
+/// Actions on the selected regions, with keys that work while the 3D view or a picture has the focus.
 class RegionActions : public QObject {
   Q_OBJECT
 
@@ -30,12 +29,12 @@ class RegionActions : public QObject {
   QAction* deselect;
   QList<QAction*> recent;  ///< names on 1 to 9
 
-  /// All that are about the selection, in the order of a menu.
+  /// All actions on the selection, in menu order.
   [[nodiscard]] QList<QAction*> onSelection() const;
   [[nodiscard]] QList<QAction*> all() const;
-  /// What can be done with `count` regions; of the states those of the first.
+  /// Enables actions for `count` regions; the states are those of the first region.
   void enableFor(std::size_t count, bool is_background, bool is_rejected);
-  /// Something is proposed.
+  /// `any`: there are suggestions.
   void enableProposals(bool any);
   void setRecentNames(const QStringList& names);
 

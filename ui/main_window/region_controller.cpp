@@ -37,8 +37,8 @@ RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePa
   connectScene();
   connectActions();
   connectSplitter();
-  connect(&selection_, &RegionSelection::hoverChanged, this, &RegionController::light);
-  connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::light);
+  connect(&selection_, &RegionSelection::hoverChanged, this, &RegionController::updateHighlight);
+  connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::updateHighlight);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::updateActions);
   connect(&selection_, &RegionSelection::selectionChanged, this, [this] {
     const std::vector<RegionId>& selected = selection_.selected();
@@ -53,7 +53,7 @@ RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePa
     scene_.viewActions()->setBackground(background_);
   });
   connect(&operations_.proposals(), &RegionProposals::changed, this, &RegionController::showProposal);
-  connect(name_editor_, &RegionNameEditor::named, &operations_, &RegionOperations::giveName);
+  connect(name_editor_, &RegionNameEditor::named, &operations_, &RegionOperations::nameSelection);
   connect(&operations_, &RegionOperations::nameGiven, this, &RegionController::rememberName);
   connect(&operations_, &RegionOperations::failed, this, [this](const QString& message) {
     emit failed(message);
@@ -88,11 +88,11 @@ void RegionController::connectFrames() {
 
 void RegionController::connectScene() {
   SceneView* const view = scene_.view();
-  connect(view, &SceneView::pointedAt, this, [this, view](const QPointF& place) {
-    pointer_in_scene_ = place;
-    const RegionPoint at = view->at(place);
+  connect(view, &SceneView::pointedAt, this, [this, view](const QPointF& position) {
+    pointer_in_scene_ = position;
+    const RegionPoint at = view->at(position);
     point(at);
-    scene_.overlay()->setTag(place, tagOf(at.region));
+    scene_.overlay()->setTag(position, tagOf(at.region));
   });
   connect(view, &SceneView::pointerLeft, this, [this] {
     pointer_in_scene_.reset();
@@ -100,23 +100,24 @@ void RegionController::connectScene() {
     scene_.overlay()->setTag({}, {});
   });
   connect(view, &SceneView::clicked, this,
-          [this, view](const QPointF& place, Qt::KeyboardModifiers modifiers) {
-            last_place_ = view->mapToGlobal(place.toPoint());
-            click(view->at(place), modifiers);
+          [this, view](const QPointF& position, Qt::KeyboardModifiers modifiers) {
+            last_position_ = view->mapToGlobal(position.toPoint());
+            click(view->at(position), modifiers);
           });
-  connect(view, &SceneView::doubleClicked, this, [this, view](const QPointF& place) {
+  connect(view, &SceneView::doubleClicked, this, [this, view](const QPointF& position) {
     if (splitter_->expectsStroke()) return;
-    const RegionPoint at = view->at(place);
+    const RegionPoint at = view->at(position);
     if (!at.region) {
       view->fitAll();
       return;
     }
     selection_.select(at.region);
-    editName(view->mapToGlobal(place.toPoint()));
+    editName(view->mapToGlobal(position.toPoint()));
   });
-  connect(view, &SceneView::menuRequested, this, [this, view](const QPointF& place, const QPoint& on_screen) {
-    openMenu(view->at(place), on_screen);
-  });
+  connect(view, &SceneView::menuRequested, this,
+          [this, view](const QPointF& position, const QPoint& on_screen) {
+            openMenu(view->at(position), on_screen);
+          });
   connect(view, &SceneView::bandChanged, this,
           [this, view] { scene_.overlay()->setBand(view->input().band()); });
   connect(view, &SceneView::bandDrawn, this, [this, view](const QRectF& band) {
@@ -128,9 +129,9 @@ void RegionController::connectScene() {
                           static_cast<int>(band.height() * scale) + 1);
     selection_.select(regionsIn(ids, pixels));
   });
-  // Not while it is being drawn, nor in one go with what brings the drawing to the screen.
+  // Deferred, so that it neither runs during drawing nor delays the display of the picture.
   connect(view, &SceneView::drawn, this,
-          [this] { QTimer::singleShot(0, this, &RegionController::lightScene); });
+          [this] { QTimer::singleShot(0, this, &RegionController::highlightScene); });
 }
 
 void RegionController::connectActions() {
@@ -140,27 +141,28 @@ void RegionController::connectActions() {
   }
   const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
   on(actions_.name, [this] {
-    if (!splitter_->accept()) editName(last_place_);
+    if (!splitter_->accept()) editName(last_position_);
   });
   on(actions_.join, [this] { operations_.join(); });
   on(actions_.cut, [this] { splitter_->begin(); });
-  on(actions_.finer, [this] { operations_.doOnEach(OperationKind::finer); });
-  on(actions_.coarser, [this] { operations_.doOnEach(OperationKind::coarser); });
-  on(actions_.background, [this](bool checked) { operations_.doOnAll(OperationKind::background, checked); });
-  on(actions_.object, [this] { operations_.doOnAll(OperationKind::object); });
-  on(actions_.reject, [this](bool checked) { operations_.doOnAll(OperationKind::reject, checked); });
+  on(actions_.finer, [this] { operations_.applyToEach(OperationKind::finer); });
+  on(actions_.coarser, [this] { operations_.applyToEach(OperationKind::coarser); });
+  on(actions_.background,
+     [this](bool checked) { operations_.applyToAll(OperationKind::background, checked); });
+  on(actions_.object, [this] { operations_.applyToAll(OperationKind::object); });
+  on(actions_.reject, [this](bool checked) { operations_.applyToAll(OperationKind::reject, checked); });
   on(actions_.accept, [this] { operations_.acceptFirst(); });
   on(actions_.accept_all, [this] { operations_.acceptAll(); });
   on(actions_.not_this, [this] { operations_.proposals().rejectFirst(); });
-  on(actions_.next, [this] { selection_.walk(true); });
-  on(actions_.previous, [this] { selection_.walk(false); });
+  on(actions_.next, [this] { selection_.selectBySize(true); });
+  on(actions_.previous, [this] { selection_.selectBySize(false); });
   on(actions_.fit, [this] {
     const std::vector<RegionId>& selected = selection_.selected();
     scene_.view()->fit(scene_.view()->scene().cloud().boundsOf({selected.begin(), selected.end()}));
   });
   on(actions_.deselect, [this] { deselect(); });
   for (QAction* action : actions_.recent)
-    on(action, [this, action] { operations_.giveName(action->data().toString(), {}); });
+    on(action, [this, action] { operations_.nameSelection(action->data().toString(), {}); });
 }
 
 void RegionController::beginScan() {
@@ -183,7 +185,7 @@ void RegionController::point(const RegionPoint& at) { selection_.hover(at.region
 void RegionController::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
   if (splitter_->expectsStroke()) return splitter_->click(at, modifiers);
   splitter_->end();
-  last_place_ = QCursor::pos();
+  last_position_ = QCursor::pos();
   const bool also = modifiers.testFlag(Qt::ControlModifier);
   if (also && !at.region) return;
   selection_.select(at.region, also);
@@ -191,7 +193,7 @@ void RegionController::click(const RegionPoint& at, Qt::KeyboardModifiers modifi
 
 void RegionController::openMenu(const RegionPoint& at, const QPoint& on_screen) {
   if (at.region && !selection_.isSelected(at.region)) selection_.select(at.region);
-  last_place_ = on_screen;
+  last_position_ = on_screen;
   auto* menu = new QMenu(name_editor_->parentWidget());
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName(QStringLiteral("regionMenu"));
@@ -227,7 +229,7 @@ void RegionController::editName(const QPoint& on_screen) {
 
 void RegionController::rememberName(const QString& name) {
   QStringList names = QSettings().value(kRecentNamesKey).toStringList();
-  if (names.contains(name)) return;  // the others keep their keys
+  if (names.contains(name)) return;  // so that names keep their keys
   names.prepend(name);
   names = names.mid(0, kRecentNames);
   QSettings().setValue(kRecentNamesKey, names);
@@ -238,7 +240,7 @@ void RegionController::rememberName(const QString& name) {
 void RegionController::connectSplitter() {
   connect(splitter_, &RegionSplitter::changed, this, [this] {
     updateActions();
-    // Beside a pointer that rests, too.
+    // Also updates the tag of a resting pointer.
     const QStringList tag = tagOf(selection_.hovered());
     frames_.setTag(tag);
     if (pointer_in_scene_) scene_.overlay()->setTag(*pointer_in_scene_, tag);
@@ -252,7 +254,7 @@ void RegionController::connectSplitter() {
 
 void RegionController::deselect() {
   if (splitter_->isActive()) {
-    if (splitter_->isShown()) operations_.undoNewest();
+    if (splitter_->isSplit()) operations_.undoNewest();
     return splitter_->end();
   }
   selection_.select(RegionId{});
@@ -261,33 +263,33 @@ void RegionController::deselect() {
 void RegionController::showProposal() {
   const Proposal* const first = operations_.proposals().first();
   actions_.enableProposals(first != nullptr);
-  light();
+  updateHighlight();
 }
 
-RegionId RegionController::pointedOut() const {
-  const Proposal* const asked = operations_.proposals().first();
+RegionId RegionController::highlightedRegion() const {
+  const Proposal* const proposal = operations_.proposals().first();
   const RegionId hovered = selection_.hovered();
-  // The pointer mostly still rests on what was just named and is lit anyway.
-  const bool is_lit = std::ranges::find(selection_.selected(), hovered) != selection_.selected().end();
-  if (hovered && (asked == nullptr || !is_lit)) return hovered;
-  return asked != nullptr ? asked->region : RegionId{};
+  // The pointer usually rests on the region just named, which is highlighted anyway.
+  const bool is_selected = std::ranges::find(selection_.selected(), hovered) != selection_.selected().end();
+  if (hovered && (proposal == nullptr || !is_selected)) return hovered;
+  return proposal != nullptr ? proposal->region : RegionId{};
 }
 
-void RegionController::light() {
-  frames_.setLit(pointedOut(), selection_.selected());
-  lightScene();
+void RegionController::updateHighlight() {
+  frames_.setHighlight(highlightedRegion(), selection_.selected());
+  highlightScene();
 }
 
-void RegionController::lightScene() {
+void RegionController::highlightScene() {
   SceneView* const view = scene_.view();
   if (pointer_in_scene_) {
     const RegionPoint at = view->at(*pointer_in_scene_);
     scene_.overlay()->setTag(pointer_in_scene_, tagOf(at.region));
     selection_.hover(at.region);
   }
-  const bool any = pointedOut() || !selection_.selected().empty();
-  scene_.overlay()->setLit(any ? litPicture(view->regionIds(), pointedOut(), selection_.selected())
-                               : QImage());
+  const bool any = highlightedRegion() || !selection_.selected().empty();
+  scene_.overlay()->setHighlight(
+      any ? highlightPicture(view->regionIds(), highlightedRegion(), selection_.selected()) : QImage());
 }
 
 void RegionController::updateActions() {
@@ -298,7 +300,7 @@ void RegionController::updateActions() {
   actions_.cut->setEnabled(!selection_.infos().empty());
   if (!splitter_->isActive()) return;
   actions_.deselect->setEnabled(true);
-  actions_.name->setEnabled(true);  // Return is the cut's
+  actions_.name->setEnabled(true);  // Return accepts the split
 }
 
 QString RegionController::sizeOf(RegionId region) {
@@ -329,7 +331,7 @@ QStringList RegionController::tagOf(RegionId region) {
   if (info->note.rejected) metadata << tr("rejected");
   if (info->object) metadata << tr("object");
   lines << metadata.join(QStringLiteral(" · "));
-  if (const QString next = splitter_->nextInWords(); !next.isEmpty()) lines << next;
+  if (const QString next = splitter_->instruction(); !next.isEmpty()) lines << next;
   return lines;
 }
 

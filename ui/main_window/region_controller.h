@@ -19,13 +19,12 @@ namespace scantrove {
 class FramePanels;
 class ScenePane;
 
-/// Pointing at regions: ties the views to the selection, and the actions to what they do with it
-/// (RegionOperations).
+/// Connects the views with the selection of regions, and the actions with RegionOperations.
 class RegionController : public QObject {
   Q_OBJECT
 
  public:
-  /// All of these outlive the controller; `window` is whose middle the name editor opens in.
+  /// All of these outlive the controller; `window` is the parent of the name editor.
   RegionController(ScanBridge& bridge, ScenePane& scene, FramePanels& frames, UndoHistory& history,
                    QWidget& window);
 
@@ -33,12 +32,12 @@ class RegionController : public QObject {
   [[nodiscard]] RegionSelection& selection() { return selection_; }
   [[nodiscard]] RegionOperations& operations() { return operations_; }
   [[nodiscard]] RegionNameEditor& nameEditor() { return *name_editor_; }
-  /// Names that the catalogue has, for completion.
+  /// Sets the source of catalogue names for completion.
   void setKnownNames(std::function<QStringList()> known_names) { known_names_ = std::move(known_names); }
 
   void beginScan();
   void showSnapshot(const ScanSnapshot& snapshot);
-  /// Finishes a name that is being typed.
+  /// Applies a name that is being typed.
   void finishEditing();
 
  signals:
@@ -56,10 +55,10 @@ class RegionController : public QObject {
   void connectSplitter();
   void deselect();
 
-  /// Under the pointer; or what is proposed, while that is nowhere or on what is selected.
-  [[nodiscard]] RegionId pointedOut() const;
-  void light();
-  void lightScene();
+  /// The region under the pointer; or the suggested one, if the pointer is on none or on a selected region.
+  [[nodiscard]] RegionId highlightedRegion() const;
+  void updateHighlight();
+  void highlightScene();
   void updateActions();
   [[nodiscard]] QStringList tagOf(RegionId region);
   [[nodiscard]] QString sizeOf(RegionId region);
@@ -77,9 +76,9 @@ class RegionController : public QObject {
   QPointer<QWidget> focus_before_name_;
   std::function<QStringList()> known_names_;
   std::set<RegionId> background_;
-  std::map<RegionId, QString> sizes_;  ///< as they were asked for since the last news
+  std::map<RegionId, QString> sizes_;  ///< cache, cleared when regions change
   std::optional<QPointF> pointer_in_scene_;
-  QPoint last_place_;  ///< on the screen, that was clicked or pointed at
+  QPoint last_position_;  ///< of the last click, screen coordinates
 };
 
 }  // namespace scantrove

@@ -18,7 +18,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kVoxelsToPropose = 150;  ///< smaller ones have no appearance
+constexpr std::size_t kVoxelsToPropose = 150;  ///< minimum size for a usable appearance
 
 RegionProposals::Appearances appearancesOf(const std::map<RegionId, std::vector<AppearancePoint>>& points) {
   RegionProposals::Appearances appearances;
@@ -28,10 +28,10 @@ RegionProposals::Appearances appearancesOf(const std::map<RegionId, std::vector<
 
 }  // namespace
 
-/// An operation in the history. The scan's own log is what is taken back and done again.
+/// An operation as undo step. Undo and redo use the scan's operation log.
 class RegionOperations::Command : public QUndoCommand {
  public:
-  /// `is_done`: by the scan, before this window knew of it.
+  /// `is_done`: already done by the scan.
   Command(RegionOperations& operations, const QString& text, Operation operation, bool is_done)
       : QUndoCommand(text), operations_(operations), operation_(std::move(operation)), is_done_(is_done) {}
 
@@ -60,7 +60,7 @@ RegionOperations::~RegionOperations() = default;
 void RegionOperations::beginScan() {
   ++proposal_number_;
   proposals_.clear();
-  delete question_;
+  delete confirmation_;
   performed_.clear();
   history_.forget(this);
   knows_history_ = false;
@@ -76,20 +76,20 @@ void RegionOperations::undoNewest() { history_.undoNewest(this); }
 void RegionOperations::acceptFirst() { accept(proposals_.acceptFirst()); }
 void RegionOperations::acceptAll() { accept(proposals_.acceptAll()); }
 
-void RegionOperations::giveName(const QString& name, const QString& category) {
+void RegionOperations::nameSelection(const QString& name, const QString& category) {
   const std::vector<RegionId> regions = selection_.selected();
   const std::vector<RegionId> background = backgroundAmong(regions);
   if (name.isEmpty() || background.empty()) return nameRegions(regions, name, category);
-  ask(tr("%1 is background, which data sets leave out. Make it an object with the name “%2”?")
-          .arg(selection_.title(background.front()), name),
-      tr("Make it an object"), [this, regions, background, name, category] {
-        Operation operation;
-        operation.kind = OperationKind::background;
-        operation.regions = background;
-        operation.on = false;
-        perform(std::move(operation));
-        nameRegions(regions, name, category);
-      });
+  confirm(tr("%1 is background, which data sets omit. Make it an object with the name “%2”?")
+              .arg(selection_.title(background.front()), name),
+          tr("Make it an object"), [this, regions, background, name, category] {
+            Operation operation;
+            operation.kind = OperationKind::background;
+            operation.regions = background;
+            operation.on = false;
+            perform(std::move(operation));
+            nameRegions(regions, name, category);
+          });
 }
 
 void RegionOperations::nameRegions(const std::vector<RegionId>& regions, const QString& name,
@@ -105,7 +105,7 @@ void RegionOperations::nameRegions(const std::vector<RegionId>& regions, const Q
   if (!name.isEmpty()) emit nameGiven(name);
 }
 
-void RegionOperations::doOnAll(OperationKind kind, bool on) {
+void RegionOperations::applyToAll(OperationKind kind, bool on) {
   if (selection_.selected().empty()) return;
   Operation operation;
   operation.kind = kind;
@@ -129,8 +129,8 @@ void RegionOperations::join() {
   };
   const std::vector<RegionId> background = backgroundAmong(regions);
   if (background.empty() || background.size() == regions.size()) return joinAll();
-  ask(tr("%1 is background. Join what is selected with it?").arg(selection_.title(background.front())),
-      tr("Join"), joinAll);
+  confirm(tr("%1 is background. Join what is selected with it?").arg(selection_.title(background.front())),
+          tr("Join"), joinAll);
 }
 
 std::vector<RegionId> RegionOperations::backgroundAmong(const std::vector<RegionId>& regions) const {
@@ -142,19 +142,19 @@ std::vector<RegionId> RegionOperations::backgroundAmong(const std::vector<Region
   return background;
 }
 
-void RegionOperations::ask(const QString& question, const QString& yes, std::function<void()> todo) {
-  delete question_;
-  question_ =
+void RegionOperations::confirm(const QString& question, const QString& yes, std::function<void()> action) {
+  delete confirmation_;
+  confirmation_ =
       new QMessageBox(QMessageBox::Question, tr("Background"), question, QMessageBox::Cancel, &window_);
-  question_->setObjectName(QStringLiteral("backgroundQuestion"));
-  question_->setAttribute(Qt::WA_DeleteOnClose);
-  const QPushButton* const button = question_->addButton(yes, QMessageBox::AcceptRole);
-  question_->setDefaultButton(QMessageBox::Cancel);
-  connect(button, &QPushButton::clicked, this, [todo = std::move(todo)] { todo(); });
-  question_->open();
+  confirmation_->setObjectName(QStringLiteral("backgroundQuestion"));
+  confirmation_->setAttribute(Qt::WA_DeleteOnClose);
+  const QPushButton* const button = confirmation_->addButton(yes, QMessageBox::AcceptRole);
+  confirmation_->setDefaultButton(QMessageBox::Cancel);
+  connect(button, &QPushButton::clicked, this, [action = std::move(action)] { action(); });
+  confirmation_->open();
 }
 
-void RegionOperations::doOnEach(OperationKind kind) {
+void RegionOperations::applyToEach(OperationKind kind) {
   for (const RegionId region : std::vector(selection_.selected())) {
     Operation operation;
     operation.kind = kind;
@@ -164,7 +164,7 @@ void RegionOperations::doOnEach(OperationKind kind) {
 }
 
 void RegionOperations::perform(Operation operation) {
-  const QString text = inWords(operation);
+  const QString text = descriptionOf(operation);
   performed_.push_back(std::make_shared<Command>(*this, text, std::move(operation), false));
   history_.push(this, performed_.back());
 }
@@ -174,21 +174,21 @@ void RegionOperations::updateHistory(const std::vector<DoneOperation>& operation
   std::size_t done = 0;
   for (const DoneOperation& operation : operations) {
     if (operation.state == OperationLog::State::superseded) continue;
-    Operation words;
-    words.kind = operation.kind;
-    words.regions = operation.regions;
-    words.name = operation.name;
-    words.on = operation.on;
-    const QString text = inWords(words);
-    steps.push_back(std::make_shared<Command>(*this, text, std::move(words), true));
+    Operation described;
+    described.kind = operation.kind;
+    described.regions = operation.regions;
+    described.name = operation.name;
+    described.on = operation.on;
+    const QString text = descriptionOf(described);
+    steps.push_back(std::make_shared<Command>(*this, text, std::move(described), true));
     if (operation.state == OperationLog::State::done) ++done;
   }
-  history_.learn(this, steps, done);
+  history_.prepend(this, steps, done);
 }
 
 void RegionOperations::edited(const Edited& event) {
   if (std::holds_alternative<UndoEdit>(event.edit)) {
-    // The question was about a name that may be gone.
+    // The suggestions are for a name that may be undone.
     ++proposal_number_;
     proposals_.withdraw();
   }
@@ -196,7 +196,7 @@ void RegionOperations::edited(const Edited& event) {
   if (operation == nullptr) return;
   switch (operation->kind) {
     case OperationKind::name:
-      proposeLike(*operation);
+      proposeSimilar(*operation);
       break;
     case OperationKind::join:
     case OperationKind::cut:
@@ -220,7 +220,7 @@ void RegionOperations::editFailed(const EditFailed& event) {
   performed_.erase(std::next(failed).base());
 }
 
-QString RegionOperations::inWords(const Operation& operation) const {
+QString RegionOperations::descriptionOf(const Operation& operation) const {
   QString what = operation.regions.size() == 1
                      ? selection_.title(operation.regions.front())
                      : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
@@ -247,7 +247,7 @@ QString RegionOperations::inWords(const Operation& operation) const {
   return what;
 }
 
-void RegionOperations::proposeLike(const Operation& naming) {
+void RegionOperations::proposeSimilar(const Operation& naming) {
   if (naming.name.empty() || naming.regions.empty()) return;
   auto points = scene_.view()->scene().cloud().pointsOfRegions(kVoxelsToPropose);
   std::erase_if(points, [&](const auto& entry) {
@@ -256,7 +256,7 @@ void RegionOperations::proposeLike(const Operation& naming) {
     return info == nullptr ||
            (!is_named && (info->note.background || info->note.rejected || !info->note.name.empty()));
   });
-  // In a large scan that takes a while, and nobody waits for it.
+  // Slow for large scans, so it runs on another thread.
   const auto promise = std::make_shared<QPromise<RegionProposals::Appearances>>();
   promise->start();
   QThreadPool::globalInstance()->start([promise, of_region = std::move(points)] {
@@ -265,7 +265,7 @@ void RegionOperations::proposeLike(const Operation& naming) {
   });
   const int number = ++proposal_number_;
   promise->future().then(this, [this, naming, number](const RegionProposals::Appearances& appearances) {
-    if (number != proposal_number_) return;  // something else was named meanwhile, or another scan begun
+    if (number != proposal_number_) return;  // another name or scan followed meanwhile
     proposals_.propose(naming.regions.front(), QString::fromStdString(naming.name),
                        QString::fromStdString(naming.category), appearances);
   });

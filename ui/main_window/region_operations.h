@@ -19,13 +19,13 @@ namespace scantrove {
 
 class ScenePane;
 
-/// What is done to the selected regions: posts the operations to the scan, keeps each as a step that can be
-/// taken back, and proposes further regions for a name.
+/// Edits the selected regions: posts operations to the scan, adds them as undo steps, and suggests further
+/// regions for a name.
 class RegionOperations : public QObject {
   Q_OBJECT
 
  public:
-  /// All of these outlive it; questions open in the middle of `window`.
+  /// All of these outlive it; `window` is the parent of dialogs.
   RegionOperations(ScanBridge& bridge, ScenePane& scene, RegionSelection& selection, UndoHistory& history,
                    QWidget& window);
   ~RegionOperations() override;
@@ -35,13 +35,13 @@ class RegionOperations : public QObject {
   void beginScan();
   void showSnapshot(const ScanSnapshot& snapshot);
 
-  /// One operation on all that is selected, or one for each.
-  void doOnAll(OperationKind kind, bool on = true);
-  void doOnEach(OperationKind kind);
-  /// A region that a person named comes first: the others take its name.
+  /// Performs one operation on the selected regions, or one on each of them.
+  void applyToAll(OperationKind kind, bool on = true);
+  void applyToEach(OperationKind kind);
+  /// Joins the selected regions; a named one is first, so that its name is used.
   void join();
-  /// Names what is selected; asks first where that is background.
-  void giveName(const QString& name, const QString& category);
+  /// Names the selected regions; asks for confirmation if one is background.
+  void nameSelection(const QString& name, const QString& category);
   void acceptFirst();
   void acceptAll();
   void perform(Operation operation);
@@ -49,7 +49,7 @@ class RegionOperations : public QObject {
 
  signals:
   void nameGiven(const QString& name);
-  /// An operation was not done, or is not on disk.
+  /// An operation failed or could not be stored.
   void failed(const QString& message);
 
  private:
@@ -57,16 +57,16 @@ class RegionOperations : public QObject {
   friend class Command;
 
   void nameRegions(const std::vector<RegionId>& regions, const QString& name, const QString& category);
-  /// `todo` is done if the person says so before the scan ends.
-  void ask(const QString& question, const QString& yes, std::function<void()> todo);
+  /// Runs `action` if the user confirms before the scan ends.
+  void confirm(const QString& question, const QString& yes, std::function<void()> action);
   [[nodiscard]] std::vector<RegionId> backgroundAmong(const std::vector<RegionId>& regions) const;
-  /// Operations that a session has from before, so that they can be taken back.
+  /// Adds stored operations of a session as undo steps.
   void updateHistory(const std::vector<DoneOperation>& operations);
   void edited(const Edited& event);
   void editFailed(const EditFailed& event);
-  [[nodiscard]] QString inWords(const Operation& operation) const;
-  /// What else looks like what was just named.
-  void proposeLike(const Operation& naming);
+  [[nodiscard]] QString descriptionOf(const Operation& operation) const;
+  /// Suggests regions similar to the named one.
+  void proposeSimilar(const Operation& naming);
   void accept(const std::vector<Proposal>& accepted);
 
   ScanBridge& bridge_;
@@ -76,8 +76,8 @@ class RegionOperations : public QObject {
   QWidget& window_;
   RegionProposals proposals_;
   std::vector<std::shared_ptr<Command>> performed_;  ///< in this scan
-  QPointer<QMessageBox> question_;
-  int proposal_number_ = 0;  ///< of the proposal that is being made
+  QPointer<QMessageBox> confirmation_;
+  int proposal_number_ = 0;  ///< of the current computation of suggestions
   bool knows_history_ = false;
 };
 

@@ -12,8 +12,8 @@
 namespace scantrove {
 namespace {
 
-/// Of neighbouring places of a stroke: what is cut takes about as much around each.
-constexpr float kPlaceStep_m = 0.01F;
+/// Minimum distance of neighbouring points of a stroke; about the radius that a split uses around each.
+constexpr float kPointStep_m = 0.01F;
 
 }  // namespace
 
@@ -24,13 +24,13 @@ RegionSplitter::RegionSplitter(ScenePane& scene, FramePanels& frames, const Regi
                                QObject* parent)
     : QObject(parent), scene_(scene), frames_(frames), selection_(selection) {
   SceneView* const view = scene_.view();
-  connect(view, &SceneView::strokeAt, this, &RegionSplitter::addPlace);
+  connect(view, &SceneView::strokeAt, this, &RegionSplitter::addPoint);
   connect(view, &SceneView::strokeEnded, this, &RegionSplitter::endStroke);
   connect(view, &SceneView::strokeChanged, this,
           [this, view] { scene_.overlay()->setStroke(view->input().stroke(), color()); });
-  // Not while it is being drawn.
+  // Queued, so that it does not run during drawing.
   connect(view, &SceneView::drawn, this, &RegionSplitter::placeMarksInScene, Qt::QueuedConnection);
-  connect(&frames_, &FramePanels::strokeAt, this, &RegionSplitter::addPlace);
+  connect(&frames_, &FramePanels::strokeAt, this, &RegionSplitter::addPoint);
   connect(&frames_, &FramePanels::strokeEnded, this, &RegionSplitter::endStroke);
 }
 
@@ -38,8 +38,8 @@ void RegionSplitter::begin() {
   split_ = Operation{};
   split_.kind = OperationKind::cut;
   has_added_ = false;
-  strayed_ = {};
-  scene_.viewActions()->measureAction()->setChecked(false);  // clicks are ours
+  other_region_ = {};
+  scene_.viewActions()->measureAction()->setChecked(false);  // the splitter needs the clicks
   setStep(Step::here);
 }
 
@@ -48,7 +48,7 @@ void RegionSplitter::end() {
 }
 
 bool RegionSplitter::accept() {
-  if (isShown()) {
+  if (isSplit()) {
     end();
     return true;
   }
@@ -57,7 +57,7 @@ bool RegionSplitter::accept() {
 }
 
 void RegionSplitter::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
-  addPlace(at);
+  addPoint(at);
   endStroke(modifiers);
 }
 
@@ -65,27 +65,27 @@ std::vector<Eigen::Vector3f>& RegionSplitter::side() {
   return step_ == Step::here ? split_.here_world : split_.there_world;
 }
 
-void RegionSplitter::addPlace(const RegionPoint& at) {
+void RegionSplitter::addPoint(const RegionPoint& at) {
   if (!expectsStroke() || !at.region || !at.point_world) return;
   if (!split_.regions.empty() && split_.regions.front() != at.region) {
-    strayed_ = at.region;
+    other_region_ = at.region;
     return;
   }
   if (split_.regions.empty()) emit regionChosen(at.region);
   split_.regions = {at.region};
-  std::vector<Eigen::Vector3f>& places = side();
-  if (has_added_ && (places.back() - *at.point_world).norm() < kPlaceStep_m) return;
+  std::vector<Eigen::Vector3f>& points = side();
+  if (has_added_ && (points.back() - *at.point_world).norm() < kPointStep_m) return;
   has_added_ = true;
-  places.push_back(*at.point_world);
+  points.push_back(*at.point_world);
 }
 
 void RegionSplitter::endStroke(Qt::KeyboardModifiers modifiers) {
   if (!expectsStroke()) return;
-  const RegionId strayed = std::exchange(strayed_, RegionId{});
+  const RegionId other = std::exchange(other_region_, RegionId{});
   if (!std::exchange(has_added_, false)) {
-    emit failed(strayed ? tr("These are two regions already: %1 and %2. Draw on one region.")
-                              .arg(selection_.title(split_.regions.front()), selection_.title(strayed))
-                        : tr("There is no depth at that point. Draw where a region lights up."));
+    emit failed(other ? tr("These are two regions already: %1 and %2. Draw on one region.")
+                            .arg(selection_.title(split_.regions.front()), selection_.title(other))
+                      : tr("There is no depth at that point. Draw on a highlighted region."));
     return;
   }
   showMarks();
@@ -117,13 +117,13 @@ void RegionSplitter::setStep(Step step) {
   emit changed();
 }
 
-QString RegionSplitter::nextInWords() const {
+QString RegionSplitter::instruction() const {
   if (step_ == Step::here) return tr("Draw over one part");
   return step_ == Step::there ? tr("Draw over the other part") : QString();
 }
 
 void RegionSplitter::showMarks() {
-  std::vector<PlaceMarks> marks;
+  std::vector<PointMarks> marks;
   if (!split_.here_world.empty()) marks.push_back({kHereColor, split_.here_world});
   if (!split_.there_world.empty()) marks.push_back({kThereColor, split_.there_world});
   frames_.setMarks(std::move(marks));
@@ -132,10 +132,10 @@ void RegionSplitter::showMarks() {
 
 void RegionSplitter::placeMarksInScene() {
   std::vector<SceneOverlay::Marks> marks;
-  const auto mark = [&](const QColor& color, const std::vector<Eigen::Vector3f>& places_world) {
+  const auto mark = [&](const QColor& color, const std::vector<Eigen::Vector3f>& points_world) {
     QPolygonF seen;
-    for (const Eigen::Vector3f& place : places_world) {
-      if (const std::optional<QPointF> at = scene_.view()->placeOf(place)) seen << *at;
+    for (const Eigen::Vector3f& point : points_world) {
+      if (const std::optional<QPointF> at = scene_.view()->positionOf(point)) seen << *at;
     }
     if (!seen.isEmpty()) marks.push_back({color, seen});
   };

@@ -11,9 +11,9 @@ class FramePanels;
 class RegionSelection;
 class ScenePane;
 
-/// Cuts a region in two by what a person draws on it, in any view: a stroke over what is to come off, then
-/// one over what stays; a click is a stroke of one place. With Shift, more of the same side follows. What was
-/// drawn stays marked in all views until the cut is accepted or given up. The window's thread.
+/// Splits a region by two strokes that the user draws in any view, first over the part to split off, then
+/// over the rest. A click is a stroke of one point; Shift adds further strokes of the same part. The strokes
+/// stay marked in all views until the split is accepted or cancelled. Use from the window's thread.
 class RegionSplitter : public QObject {
   Q_OBJECT
 
@@ -22,21 +22,21 @@ class RegionSplitter : public QObject {
   RegionSplitter(ScenePane& scene, FramePanels& frames, const RegionSelection& selection, QObject* parent);
 
   void begin();
-  /// Forgets what was drawn; a cut that was made stays.
+  /// Clears the strokes; a split that was made remains.
   void end();
-  /// Return: keeps the cut that is shown, or goes on where Shift has waited for more. False: nothing is cut.
+  /// For Return: accepts the shown split, or ends the strokes of a part. False if not active.
   bool accept();
   void click(const RegionPoint& at, Qt::KeyboardModifiers modifiers);
 
-  /// From begin() until the cut is kept or taken back.
+  /// From begin() until the split is accepted or undone.
   [[nodiscard]] bool isActive() const { return step_ != Step::no; }
   [[nodiscard]] bool expectsStroke() const { return step_ == Step::here || step_ == Step::there; }
-  /// The cut was asked for, and can be taken back.
-  [[nodiscard]] bool isShown() const { return step_ == Step::shown; }
-  /// What to do now, for the tag beside the pointer; empty: nothing.
-  [[nodiscard]] QString nextInWords() const;
+  /// The split was requested and can be undone.
+  [[nodiscard]] bool isSplit() const { return step_ == Step::shown; }
+  /// Instruction for the tag beside the pointer; may be empty.
+  [[nodiscard]] QString instruction() const;
 
-  /// Of what comes off, and of what stays.
+  /// Stroke colours of the part to split off and of the rest.
   static const QColor kHereColor, kThereColor;
 
  signals:
@@ -48,7 +48,7 @@ class RegionSplitter : public QObject {
  private:
   enum class Step { no, here, there, shown };
 
-  void addPlace(const RegionPoint& at);
+  void addPoint(const RegionPoint& at);
   void endStroke(Qt::KeyboardModifiers modifiers);
   void advance();
   void setStep(Step step);
@@ -62,8 +62,8 @@ class RegionSplitter : public QObject {
   const RegionSelection& selection_;
   Step step_ = Step::no;
   Operation split_;
-  bool has_added_ = false;  ///< the present stroke, to its side
-  RegionId strayed_;        ///< where the present stroke left the region that is cut
+  bool has_added_ = false;  ///< whether the current stroke has a point
+  RegionId other_region_;   ///< another region that the current stroke touched
 };
 
 }  // namespace scantrove

@@ -46,7 +46,7 @@ QString detailsOf(const SessionSummary& scan) {
 std::vector<SavedScanEntry> savedScansIn(const QString& folder) {
   std::vector<SavedScanEntry> scans;
   for (const SessionSummary& scan : listSessions(folder.toStdString())) {
-    // One that broke off before its first frame is nothing to look at.
+    // Omits scans that were interrupted before their first frame.
     if (scan.damage.empty() && scan.frames == 0) continue;
     const QString source = QString::fromStdString(scan.source);
     scans.push_back({QString::fromStdString(scan.folder.string()),
@@ -65,14 +65,14 @@ DeleteScan::DeleteScan(const QString& folder, std::function<void()> done, Fail f
 void DeleteScan::redo() {
   if (!QFile::moveToTrash(folder_, &in_trash_)) {
     setObsolete(true);
-    fail_(SavedScansPanel::tr("%1 cannot be moved to the trash. It is still there.").arg(folder_));
+    fail_(SavedScansPanel::tr("The scan %1 cannot be moved to the trash. It was not changed.").arg(folder_));
   }
   done_();
 }
 
 void DeleteScan::undo() {
   if (!QDir().rename(in_trash_, folder_)) {
-    fail_(SavedScansPanel::tr("The scan cannot be taken out of the trash: it is in %1.").arg(in_trash_));
+    fail_(SavedScansPanel::tr("The scan cannot be restored from the trash. It is in %1.").arg(in_trash_));
   }
   done_();
 }

@@ -8,10 +8,10 @@
 
 namespace scantrove {
 
-/// The scans in a folder of sessions, newest first, in words.
+/// List entries of the sessions in a folder, newest first.
 [[nodiscard]] std::vector<SavedScanEntry> savedScansIn(const QString& folder);
 
-/// Moves a scan to the desktop's trash, and back.
+/// Undo step that moves a scan to the desktop's trash.
 class DeleteScan : public QUndoCommand {
  public:
   using Fail = std::function<void(const QString& message)>;

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// "2026-11-22 15.40.02 kitchen", that is not there yet.
+/// A new folder name, for example "2026-11-22 15.40.02 kitchen".
 QString newSessionFolder(const QString& source) {
   QString title = sourceTitle(source);
   for (QChar& letter : title) {
@@ -33,7 +33,7 @@ ScanController::ScanController(const ScanPortFactory& factory, const WindowOptio
   request_.start_paused = options.start_paused;
   request_.results = false;
   request_.review = true;
-  bridge_.on<ScanFailed>(this, [this] { made_folder_.removeIfEmpty(); });
+  bridge_.on<ScanFailed>(this, [this] { new_folder_.removeIfEmpty(); });
 }
 
 QString ScanController::sessionsFolder() {
@@ -48,10 +48,10 @@ QString ScanController::sessionFolder() const {
 void ScanController::begin() {
   request_.source = source_.toStdString();
   request_.output_folder.reset();
-  const QString folder = keeps_scans_ ? newSessionFolder(source_) : QString();
-  if (!keeps_scans_) {
-    // nothing is to be said
-  } else if (made_folder_.make(folder)) {
+  const QString folder = saves_scans_ ? newSessionFolder(source_) : QString();
+  if (!saves_scans_) {
+    // not saved on purpose, so no warning
+  } else if (new_folder_.make(folder)) {
     request_.output_folder = folder.toStdString();
   } else {
     emit failed(
@@ -75,7 +75,7 @@ void ScanController::refine() {
   if (!request_.output_folder) return;
   ScanRequest request = request_;
   request.refine_session = true;
-  request.database.clear();  // the session's
+  request.database.clear();  // uses that of the session
   emit opening(hasSource() ? source_ : sessionFolder());
   bridge_.post(StartScan{std::move(request)});
 }

@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-/// What the window's scan commands do: keeps what is open and with which settings, and commands the worker.
+/// Runs the window's scan commands: holds the current source and settings, and sends commands to the worker.
 class ScanController : public QObject {
   Q_OBJECT
 
@@ -20,26 +20,26 @@ class ScanController : public QObject {
   [[nodiscard]] bool hasSource() const { return !source_.isEmpty(); }
   [[nodiscard]] const ScanRequest& request() const { return request_; }
 
-  /// Opens a source and begins to scan it; a folder with a saved scan opens as openSession() does it.
+  /// Opens a source and starts scanning; a folder with a saved scan is opened by openSession().
   void open(const QString& source, const SourceOptions& options = {},
             ScanRequest::Poses poses = ScanRequest::Poses::tracked);
-  /// Opens the session of an earlier scan to look at it and correct it.
+  /// Opens the session of an earlier scan for review and edits.
   void openSession(const QString& folder);
-  /// Does the refinement that the open session has not had.
+  /// Does the missing refinement of the open session.
   void refine();
-  /// Where the session of the present scan is; empty: it is not kept.
+  /// Folder of the current session; empty: the scan is not saved.
   [[nodiscard]] QString sessionFolder() const;
-  /// Whether scans that begin from now on become sessions; usually they do.
-  void setKeepsScans(bool keeps) { keeps_scans_ = keeps; }
-  /// Where sessions are kept.
+  /// Whether new scans are saved as sessions; the default is true.
+  void setSavesScans(bool saves) { saves_scans_ = saves; }
+  /// Folder of all sessions.
   [[nodiscard]] static QString sessionsFolder();
 
-  /// The present source again from its beginning, or on when paused.
+  /// Scans the current source from its beginning, or resumes.
   void start();
   void togglePause();
-  void step();  ///< one frame, and pause
+  void step();  ///< processes one frame, then pauses
   void stop();
-  /// Ends what there is to look at, too.
+  /// Ends the scan and closes its review.
   void close();
   void setParams(const ScanParams& params);
   void setDatabase(const QString& file) { request_.database = file.toStdString(); }
@@ -55,10 +55,10 @@ class ScanController : public QObject {
 
   ScanRequest request_;
   QString source_;
-  /// What was asked for last; the worker may not have come to it yet, and a second press is not to be lost.
+  /// The last requested state. The worker may lag behind, but a second key press must still count.
   bool paused_ = false;
-  bool keeps_scans_ = true;
-  ScanFolder made_folder_;  ///< before the bridge: the scan has ended when it goes
+  bool saves_scans_ = true;
+  ScanFolder new_folder_;  ///< declared before the bridge, so that the scan has ended when it is destroyed
   ScanBridge bridge_;
 };
 

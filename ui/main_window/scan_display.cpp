@@ -42,7 +42,7 @@ ScanDisplay::ScanDisplay(MainWindow& window) : QObject(&window), window_(window)
   bridge.on<ObjectRecognized>(
       this, [this](const ObjectRecognized& known) { window_.model().markRecognized(known.object); });
   bridge.on<ReviewOpened>(this, [this](ReviewOpened opened) {
-    if (window_.onStartPage()) return;  // it was closed meanwhile
+    if (window_.onStartPage()) return;  // the scan was closed meanwhile
     parts_.actions->enableReview(true);
     parts_.actions->enableRefinement(opened.can_refine);
     has_snapshot_ = true;
@@ -73,7 +73,7 @@ void ScanDisplay::showSnapshot(const std::shared_ptr<const ScanSnapshot>& collec
   const ScanSnapshot& snapshot = *collected;
   if (!has_snapshot_) {
     has_snapshot_ = true;
-    if (window_.controller().hasSource()) rememberSource(window_.controller().source());
+    if (window_.controller().hasSource()) addRecentSource(window_.controller().source());
   }
   window_.regions().showSnapshot(snapshot);
   parts_.scene->view()->showSnapshot(collected);
@@ -87,7 +87,7 @@ void ScanDisplay::showSnapshot(const std::shared_ptr<const ScanSnapshot>& collec
 
 void ScanDisplay::showState(ScanState state) {
   if (state == ScanState::starting) {
-    // Nothing of the scan before may remain, whatever came after its end was asked for.
+    // Clears snapshots of the previous scan that arrived after the stop request.
     parts_.scene->view()->clearScene();
     parts_.frames->clear();
   }

@@ -10,12 +10,12 @@ namespace scantrove {
 
 class MainWindow;
 
-/// Shows the present scan in the parts of the window: its states, snapshots and failures.
+/// Shows state, snapshots and failures of the current scan in the parts of the window.
 class ScanDisplay : public QObject {
   Q_OBJECT
 
  public:
-  /// The window's parts are there already.
+  /// Call after the window's parts were created.
   explicit ScanDisplay(MainWindow& window);
 
  private:
@@ -26,7 +26,7 @@ class ScanDisplay : public QObject {
 
   MainWindow& window_;
   const WindowParts parts_;
-  bool has_snapshot_ = false;  ///< of the present scan
+  bool has_snapshot_ = false;  ///< of the current scan
 };
 
 }  // namespace scantrove

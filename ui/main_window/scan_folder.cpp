@@ -15,7 +15,7 @@ bool ScanFolder::make(const QString& path) {
 
 void ScanFolder::removeIfEmpty() {
   const QString path = std::exchange(path_, {});
-  if (!path.isEmpty()) QDir().rmdir(path);  // which fails where there is anything in it
+  if (!path.isEmpty()) QDir().rmdir(path);  // fails if the folder is not empty
 }
 
 }  // namespace scantrove

@@ -3,8 +3,7 @@
 
 namespace scantrove {
 
-/// A folder that this program made for a scan to write into. A scan that could not begin leaves it empty, and
-/// then it goes again; a folder that holds anything, or was there before, stays.
+/// A folder created for a scan. Removed again if the scan leaves it empty because it could not start.
 class ScanFolder {
  public:
   ScanFolder() = default;
@@ -12,12 +11,12 @@ class ScanFolder {
   ScanFolder(const ScanFolder&) = delete;
   ScanFolder& operator=(const ScanFolder&) = delete;
 
-  /// Makes `path`; of the folder before nothing is known any more. False: it was there, or cannot be made.
+  /// Creates `path` and releases the previous folder. False if it exists or cannot be created.
   [[nodiscard]] bool make(const QString& path);
   void removeIfEmpty();
 
  private:
-  QString path_;  ///< empty: this program made none
+  QString path_;  ///< empty: no folder
 };
 
 }  // namespace scantrove

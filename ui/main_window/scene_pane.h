@@ -11,7 +11,7 @@ namespace scantrove {
 class SceneOverlay;
 class ViewActions;
 
-/// The 3D view with its own few buttons floating in a corner.
+/// The 3D view with floating buttons in a corner.
 class ScenePane : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ScenePane : public QWidget {
   [[nodiscard]] QAction* followAction() const { return follow_; }
   [[nodiscard]] QAction* fitAction() const { return fit_; }
   [[nodiscard]] QAction* gridAction() const { return grid_; }
-  /// How the view shows the scene.
+  /// Actions for the display of the scene.
   [[nodiscard]] ViewActions* viewActions() const { return view_actions_; }
 
  protected:

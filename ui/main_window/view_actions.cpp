@@ -19,19 +19,20 @@ namespace {
 const QString kColoringKey = QStringLiteral("view/coloring");
 const QString kBackgroundKey = QStringLiteral("view/background");
 
-/// As the settings know them, in the order of Coloring and of BackgroundStyle.
+/// Names in the settings, in the order of Coloring and BackgroundStyle.
 const std::array kColoringWords{"scene", "regions", "blended", "normals", "height"};
 const std::array kBackgroundWords{"shown", "dimmed", "hidden"};
 
-/// The place of the remembered word among these; `usual` where there is none of them.
+/// Index of the stored name in `words`; `fallback` if it is missing.
 template <std::size_t size>
-std::size_t remembered(const QString& key, const std::array<const char*, size>& words, std::size_t usual) {
+std::size_t storedIndex(const QString& key, const std::array<const char*, size>& words,
+                        std::size_t fallback) {
   const std::string word = QSettings().value(key).toString().toStdString();
   const auto found = std::find(words.begin(), words.end(), word);
-  return found == words.end() ? usual : static_cast<std::size_t>(found - words.begin());
+  return found == words.end() ? fallback : static_cast<std::size_t>(found - words.begin());
 }
 
-void giveKey(QAction* action, const QKeySequence& key, const QString& help) {
+void setKey(QAction* action, const QKeySequence& key, const QString& help) {
   action->setShortcut(key);
   action->setToolTip(QStringLiteral("%1 (%2)").arg(help, key.toString(QKeySequence::NativeText)));
 }
@@ -41,7 +42,7 @@ void giveKey(QAction* action, const QKeySequence& key, const QString& help) {
 ViewActions::ViewActions(SceneView* view, QObject* parent)
     : QObject(parent),
       view_(view),
-      cut_(new ClipTool(view)),
+      clip_(new ClipTool(view)),
       measure_(new MeasureTool(view)),
       colorings_(new QActionGroup(this)),
       next_coloring_(new QAction(tr("&Next colour mode"), this)),
@@ -50,21 +51,21 @@ ViewActions::ViewActions(SceneView* view, QObject* parent)
       measure_action_(new QAction(icon(QStringLiteral("ruler")), tr("&Measure"), this)) {
   makeColorings();
   makeStandardViews();
-  giveKey(background_action_, tr("Shift+B"), tr("Show, dim or hide the background"));
+  setKey(background_action_, tr("Shift+B"), tr("Show, dim or hide the background"));
   background_action_->setCheckable(true);
   connect(background_action_, &QAction::triggered, this, [this] {
     setBackgroundStyle(static_cast<BackgroundStyle>((static_cast<int>(background_style_) + 1) %
                                                     static_cast<int>(kBackgroundWords.size())));
   });
   clip_action_->setCheckable(true);
-  giveKey(clip_action_, tr("X"), tr("Hide what is nearer than the plane"));
-  connect(clip_action_, &QAction::toggled, cut_, &ClipTool::setActive);
+  setKey(clip_action_, tr("X"), tr("Hide everything in front of a plane"));
+  connect(clip_action_, &QAction::toggled, clip_, &ClipTool::setActive);
   measure_action_->setCheckable(true);
-  giveKey(measure_action_, tr("T"), tr("Measure between two points of the surface"));
+  setKey(measure_action_, tr("T"), tr("Measure between two points of the surface"));
   connect(measure_action_, &QAction::toggled, measure_, &MeasureTool::setActive);
   connect(measure_, &MeasureTool::ended, this, [this] { measure_action_->setChecked(false); });
-  color(static_cast<Coloring>(remembered(kColoringKey, kColoringWords, 1)));
-  setBackgroundStyle(static_cast<BackgroundStyle>(remembered(kBackgroundKey, kBackgroundWords, 0)));
+  color(static_cast<Coloring>(storedIndex(kColoringKey, kColoringWords, 1)));
+  setBackgroundStyle(static_cast<BackgroundStyle>(storedIndex(kBackgroundKey, kBackgroundWords, 0)));
 }
 
 void ViewActions::makeColorings() {
@@ -73,10 +74,10 @@ void ViewActions::makeColorings() {
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto* action = new QAction(names[i], colorings_);
     action->setCheckable(true);
-    giveKey(action, QKeySequence(QStringLiteral("Alt+%1").arg(i + 1)), names[i].simplified().remove('&'));
+    setKey(action, QKeySequence(QStringLiteral("Alt+%1").arg(i + 1)), names[i].simplified().remove('&'));
     connect(action, &QAction::triggered, this, [this, coloring = kColorings[i]] { color(coloring); });
   }
-  giveKey(next_coloring_, tr("R"), tr("Switch to the next colour mode"));
+  setKey(next_coloring_, tr("R"), tr("Switch to the next colour mode"));
   connect(next_coloring_, &QAction::triggered, this,
           [this] { color(kColorings[(static_cast<std::size_t>(coloring_) + 1) % kColorings.size()]); });
 }
@@ -97,7 +98,7 @@ void ViewActions::addTo(QMenu* menu) {
   colorings->addActions(colorings_->actions());
   colorings->addSeparator();
   colorings->addAction(next_coloring_);
-  menu->addMenu(tr("&Look from"))->addActions(standard_views_);
+  menu->addMenu(tr("&View from"))->addActions(standard_views_);
   menu->addActions({background_action_, clip_action_, measure_action_});
 }
 
@@ -122,19 +123,19 @@ void ViewActions::setBackground(const std::set<RegionId>& regions) {
 
 void ViewActions::color(Coloring coloring) {
   coloring_ = coloring;
-  const auto place = static_cast<std::size_t>(coloring);
-  colorings_->actions()[static_cast<int>(place)]->setChecked(true);
-  QSettings().setValue(kColoringKey, QString::fromLatin1(kColoringWords.at(place)));
+  const auto index = static_cast<std::size_t>(coloring);
+  colorings_->actions()[static_cast<int>(index)]->setChecked(true);
+  QSettings().setValue(kColoringKey, QString::fromLatin1(kColoringWords.at(index)));
   view_->setColoring(coloring);
 }
 
 void ViewActions::setBackgroundStyle(BackgroundStyle style) {
   background_style_ = style;
   const std::array names{tr("Background: &shown"), tr("Background: &dimmed"), tr("Background: &hidden")};
-  const auto place = static_cast<std::size_t>(style);
-  background_action_->setText(names.at(place));
+  const auto index = static_cast<std::size_t>(style);
+  background_action_->setText(names.at(index));
   background_action_->setChecked(style != BackgroundStyle::as_others);
-  QSettings().setValue(kBackgroundKey, QString::fromLatin1(kBackgroundWords.at(place)));
+  QSettings().setValue(kBackgroundKey, QString::fromLatin1(kBackgroundWords.at(index)));
   view_->setBackground(background_, style);
 }
 

@@ -16,8 +16,8 @@ class ClipTool;
 class MeasureTool;
 class SceneView;
 
-/// The commands that change how the 3D view shows the scene, with their keys; what colours it and how the
-/// background looks are remembered.
+/// Actions for the display of the 3D view, with keys. Colour mode and background style are stored between
+/// runs.
 class ViewActions : public QObject {
   Q_OBJECT
 
@@ -25,14 +25,14 @@ class ViewActions : public QObject {
   ViewActions(SceneView* view, QObject* parent);
 
   void addTo(QMenu* menu);
-  /// A button that opens the ways to colour the scene.
+  /// A button with a menu of colour modes.
   [[nodiscard]] QToolButton* makeColoringButton();
 
-  /// These regions are background.
+  /// Sets the background regions.
   void setBackground(const std::set<RegionId>& regions);
   [[nodiscard]] Coloring coloring() const { return coloring_; }
 
-  /// One of each Coloring, in their order.
+  /// One action per Coloring, in its order.
   [[nodiscard]] QList<QAction*> coloringActions() const;
   [[nodiscard]] QAction* backgroundAction() const { return background_action_; }
   [[nodiscard]] QAction* clipAction() const { return clip_action_; }
@@ -46,7 +46,7 @@ class ViewActions : public QObject {
   void setBackgroundStyle(BackgroundStyle style);
 
   SceneView* view_;
-  ClipTool* cut_;
+  ClipTool* clip_;
   MeasureTool* measure_;
   QActionGroup* colorings_;
   QAction* next_coloring_;

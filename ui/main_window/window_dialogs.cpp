@@ -74,14 +74,15 @@ void WindowDialogs::showHelp() {
 }
 
 void WindowDialogs::showAbout() {
-  QMessageBox::about(&window_, tr("About Scantrove"),
-                     tr("<h3>Scantrove %1</h3><p>Sweep a depth camera over a scene, collect its objects in a "
-                        "database.</p>")
-                         .arg(QApplication::applicationVersion()));
+  QMessageBox::about(
+      &window_, tr("About Scantrove"),
+      tr("<h3>Scantrove %1</h3><p>Scan a scene with an RGB-D camera and collect its objects in a "
+         "catalogue.</p>")
+          .arg(QApplication::applicationVersion()));
 }
 
 void WindowDialogs::closeExport() {
-  delete export_;  // cancels what it waits for
+  delete export_;  // cancels a running export
   export_ = nullptr;
 }
 

@@ -7,7 +7,7 @@ class ExportDialog;
 class HelpDialog;
 class MainWindow;
 
-/// The dialogs that the menus open, and what becomes of their answers.
+/// Opens the dialogs of the menus and applies their results.
 class WindowDialogs : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class WindowDialogs : public QObject {
   void showHelp();
   void showAbout();
 
-  /// Null: it is not open.
+  /// Null if it is not open.
   [[nodiscard]] ExportDialog* exportDialog() const { return export_; }
 
  private:

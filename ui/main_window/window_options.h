@@ -7,21 +7,21 @@
 
 namespace scantrove {
 
-/// What the command line may say about the window.
+/// Window options of the command line.
 struct WindowOptions {
   std::string source;  ///< opened at once; empty: the start page
   SourceOptions source_options;
   ScanRequest::Poses poses = ScanRequest::Poses::tracked;
   std::string device;
-  std::string database;  ///< empty: the person's own, in $XDG_DATA_HOME
+  std::string database;  ///< empty: the default one in $XDG_DATA_HOME
   ScanParams params;
   bool start_paused = false;
-  /// Save a picture of the window there when the scan has ended, and quit.
+  /// File for a picture of the window when the scan ends; the program then quits.
   std::optional<std::filesystem::path> screenshot;
-  int width = 0;  ///< of the window; 0: remembered or usual
+  int width = 0;  ///< of the window; 0: stored or default size
   int height = 0;
-  bool present = false;  ///< full screen, to be looked at
-  std::string theme;     ///< "dark", "light", or empty: as remembered
+  bool present = false;  ///< presentation mode
+  std::string theme;     ///< "dark", "light", or empty: as stored
 };
 
 }  // namespace scantrove

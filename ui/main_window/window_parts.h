@@ -13,7 +13,7 @@ class StartPage;
 class StatusStrip;
 class TimeLine;
 
-/// What a person sees and uses in the window. All of it is the window's, as Qt's children.
+/// The visible parts of the window, which owns them as Qt children.
 struct WindowParts {
   MainActions* actions = nullptr;
   StartPage* start = nullptr;

@@ -7,7 +7,7 @@ namespace scantrove {
 
 class MainWindow;
 
-/// Saves a picture of the whole window, the 3D view at full detail included.
+/// Saves a picture of the window, with the 3D view at full detail.
 [[nodiscard]] Result<void> saveWindowPicture(MainWindow& window, const QString& file);
 
 }  // namespace scantrove

@@ -5,10 +5,10 @@ class QWidget;
 
 namespace scantrove {
 
-/// `wanted`, made smaller and moved only as far as it has to be to lie in `room`.
+/// `requested`, shrunk and moved as little as needed to fit into `room`.
 [[nodiscard]] QRect fittedTo(const QRect& requested, const QRect& room);
 
-/// Brings a window that is not shown yet into the free part of its screen, with its title bar.
+/// Fits a window that is not shown yet, with its title bar, into the free part of its screen.
 void fitToScreen(QWidget& window);
 
 }  // namespace scantrove

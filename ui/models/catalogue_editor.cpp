@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-/// Of a CV_8UC3 BGR picture; a copy.
+/// Copies a CV_8UC3 BGR picture.
 QImage toImage(const cv::Mat& bgr) {
   if (bgr.empty() || bgr.type() != CV_8UC3) return {};
   return QImage(bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step[0]), QImage::Format_BGR888)
@@ -18,7 +18,7 @@ QImage toImage(const cv::Mat& bgr) {
 
 }  // namespace
 
-/// A change that was already made when it is put into the history.
+/// A change that is done already when it is added to the history.
 class CatalogueEditor::Command final : public QUndoCommand {
  public:
   Command(CatalogueEditor& editor, const QString& text, Action action, Action inverse)
@@ -50,11 +50,11 @@ Result<void> CatalogueEditor::open(const QString& file) {
   const QString folder = QFileInfo(file).absolutePath();
   if (!QDir().mkpath(folder)) {
     return fail("Cannot create the folder " + folder.toStdString() + " for the catalogue.",
-                "Choose another place with File > Open catalogue.");
+                "Choose another file with File > Open catalogue.");
   }
   Result<std::unique_ptr<ObjectDatabase>> opened_database = ObjectDatabase::open(file.toStdString());
   if (!opened_database) return fail(opened_database.error());
-  // Asked before the objects are read: what comes between is announced again, which does no harm.
+  // Read before the objects: changes in between are then reported twice, which is harmless.
   const Result<std::int64_t> last_event = (*opened_database)->lastEvent();
   if (!last_event) return fail(last_event.error());
   history_.forget(this);
@@ -149,7 +149,7 @@ bool CatalogueEditor::rename(ObjectId object, const QString& name) {
   if (!*before) {
     emit failed(
         tr("The object was deleted meanwhile, so it cannot be named “%1”. Undo the deletion and press "
-           "Return again, or give the name up with Escape.")
+           "Return again, or press Escape to cancel.")
             .arg(name));
     return false;
   }
@@ -166,7 +166,7 @@ bool CatalogueEditor::rename(ObjectId object, const QString& name) {
 }
 
 bool CatalogueEditor::setConfirmed(const std::vector<ObjectId>& objects, bool confirmed) {
-  // Undo gives back what each was.
+  // Only these objects change, so that undo restores each of them.
   std::vector<ObjectId> others;
   for (const ObjectId id : objects) {
     const Result<std::optional<ObjectRecord>> record = object(id);

@@ -12,49 +12,49 @@
 
 namespace scantrove {
 
-/// The person's hand on the catalogue: every change is written to the database at once, as one step that can
-/// be undone. Owns the window's own database connection, and follows what others (the scan, other programs)
-/// write. A change that the database refuses is announced and no step.
+/// Edits the catalogue for the user. Writes each change to the database at once, as one step that can be
+/// undone. Owns the window's database connection and follows changes of other writers (the scan, other
+/// programs). If the database rejects a change, emits failed() and adds no step.
 class CatalogueEditor : public QObject {
   Q_OBJECT
 
  public:
-  /// Steps go into `history`, which outlives the editor.
+  /// Adds steps to `history`, which outlives the editor.
   explicit CatalogueEditor(UndoHistory& history, QObject* parent = nullptr);
   ~CatalogueEditor() override;
 
-  /// Opens another catalogue (creating it when missing) and forgets what could be undone. On failure the old
-  /// one stays open.
+  /// Opens another catalogue (creates it if missing) and clears its undo steps. On failure the old one stays
+  /// open.
   [[nodiscard]] Result<void> open(const QString& file);
-  /// Shows no catalogue: there are no objects, and nothing can be changed.
+  /// Closes the catalogue: there are no objects, and nothing can be changed.
   void close();
   [[nodiscard]] bool isOpen() const { return database_ != nullptr; }
   [[nodiscard]] const QString& file() const { return file_; }
 
   [[nodiscard]] std::vector<ObjectRecord> objects();
-  /// None when it was deleted or merged into another.
+  /// None if it was deleted or merged into another.
   [[nodiscard]] Result<std::optional<ObjectRecord>> object(ObjectId object);
-  /// Small, the object's surroundings dimmed; null when there is none.
+  /// Thumbnail with dimmed surroundings; null if there is none.
   [[nodiscard]] QImage picture(ObjectId object);
-  /// Of all the object's views, newest first.
+  /// Thumbnails of all views of the object, newest first.
   [[nodiscard]] std::vector<QImage> pictures(ObjectId object);
 
-  /// Each returns whether it was done; when not, failed() has said why.
-  /// An object that was merged meanwhile is renamed in the one that holds it now.
+  /// These return whether the change was done; otherwise failed() was emitted. If the object was merged
+  /// meanwhile, renames the object that it was merged into.
   bool rename(ObjectId object, const QString& name);
   bool setConfirmed(const std::vector<ObjectId>& objects, bool confirmed);
   bool remove(const std::vector<ObjectId>& objects);
-  /// The database chooses which one holds the others' views from then on.
+  /// The database chooses which object gets the views of the others.
   bool merge(const std::vector<ObjectId>& objects);
 
-  /// Announces what was written since the last time, by whomever.
+  /// Emits changed() if any writer changed the catalogue since the last call.
   void poll();
   void announce(const Error& error) { emit failed(QString::fromStdString(error.message())); }
 
  signals:
   void opened();
   void changed(const scantrove::CatalogueChanges& changes);
-  void edited();  ///< by the person, undo and redo included; after changed()
+  void edited();  ///< by the user, including undo and redo; after changed()
   void failed(const QString& message);
 
  private:
@@ -62,9 +62,9 @@ class CatalogueEditor : public QObject {
   class Command;
   friend class Command;
 
-  /// Runs `action`; only when that worked the pair goes into the history.
+  /// Runs `action`; on success adds it with its inverse to the history.
   bool perform(const QString& text, const Action& action, const Action& inverse);
-  /// False when it failed, which was announced.
+  /// False if it failed; failed() was emitted.
   bool run(const Action& action);
   [[nodiscard]] Result<std::optional<ObjectRecord>> mergeRootOf(ObjectId object);
   template <class T>

@@ -110,50 +110,50 @@ void ObjectListModel::applyChanges(const CatalogueChanges& changes) {
     if (change.mergeTarget()) touched.insert(change.mergeTarget());
   }
   emit aboutToUpdate();
-  std::vector<ObjectId> gone;
+  std::vector<ObjectId> removed;
   for (const ObjectId object : touched) {
     pictures_.remove(object.value);
     Result<std::optional<ObjectRecord>> record = editor_.object(object);
     if (!record) {
       editor_.announce(record.error());  // the row stays as it is
     } else if (*record) {
-      put(std::move(**record));
+      insertOrUpdate(std::move(**record));
     } else {
-      gone.push_back(object);
+      removed.push_back(object);
     }
   }
   for (const CatalogueChange& change : changes.changes) {
     if (change.kind == CatalogueChange::Kind::merged &&
-        std::binary_search(gone.begin(), gone.end(), change.object()))
+        std::binary_search(removed.begin(), removed.end(), change.object()))
       emit merged(change.mergeTarget(), change.object());
   }
-  for (const ObjectId object : gone) take(object);
+  for (const ObjectId object : removed) removeObject(object);
   emit updated();
 }
 
-void ObjectListModel::put(ObjectRecord record) {
-  const auto place = placeOf(record.id);
-  const auto row = place - rows_.cbegin();
+void ObjectListModel::insertOrUpdate(ObjectRecord record) {
+  const auto position = positionOf(record.id);
+  const auto row = position - rows_.cbegin();
   confirmed_count_ += record.confirmed ? 1 : 0;
-  if (place != rows_.cend() && place->id == record.id) {
-    confirmed_count_ -= place->confirmed ? 1 : 0;
+  if (position != rows_.cend() && position->id == record.id) {
+    confirmed_count_ -= position->confirmed ? 1 : 0;
     const ObjectId object = record.id;
     rows_[static_cast<std::size_t>(row)] = std::move(record);
     emitRow(object, {});
     return;
   }
   beginInsertRows({}, static_cast<int>(row), static_cast<int>(row));
-  rows_.insert(place, std::move(record));
+  rows_.insert(position, std::move(record));
   endInsertRows();
 }
 
-void ObjectListModel::take(ObjectId object) {
+void ObjectListModel::removeObject(ObjectId object) {
   const QModelIndex index = indexOf(object);
   if (!index.isValid()) return;
-  const auto place = placeOf(object);
-  confirmed_count_ -= place->confirmed ? 1 : 0;
+  const auto position = positionOf(object);
+  confirmed_count_ -= position->confirmed ? 1 : 0;
   beginRemoveRows({}, index.row(), index.row());
-  rows_.erase(place);
+  rows_.erase(position);
   endRemoveRows();
 }
 
@@ -206,15 +206,15 @@ ObjectId ObjectListModel::objectAt(const QModelIndex& index) const {
   return rows_[static_cast<std::size_t>(index.row())].id;
 }
 
-ObjectListModel::Rows::const_iterator ObjectListModel::placeOf(ObjectId object) const {
+ObjectListModel::Rows::const_iterator ObjectListModel::positionOf(ObjectId object) const {
   return std::lower_bound(rows_.begin(), rows_.end(), object,
                           [](const ObjectRecord& row, ObjectId requested) { return row.id < requested; });
 }
 
 QModelIndex ObjectListModel::indexOf(ObjectId object) const {
-  const auto place = placeOf(object);
-  if (place == rows_.end() || place->id != object) return {};
-  return index(static_cast<int>(place - rows_.begin()));
+  const auto position = positionOf(object);
+  if (position == rows_.end() || position->id != object) return {};
+  return index(static_cast<int>(position - rows_.begin()));
 }
 
 const ObjectRecord* ObjectListModel::record(ObjectId object) const {

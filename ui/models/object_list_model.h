@@ -12,9 +12,9 @@
 
 namespace scantrove {
 
-/// The catalogue's objects as the object list shows them, the newest last: what a scan adds moves no row that
-/// a person may be about to click. Follows the catalogue row by row: reads an object again when something
-/// happened to it, and its picture when that is to be painted.
+/// The objects of the catalogue for the object list, newest last, so that new objects do not move rows that
+/// the user may be about to click. Updates single rows: reads an object again when it changed, and its
+/// picture when it is painted.
 class ObjectListModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -25,9 +25,9 @@ class ObjectListModel : public QAbstractListModel {
     ViewCountRole,
     SizeTextRole,    ///< "12×9×8 cm"
     InViewRole,      ///< seen in the frame shown now
-    RecognizedRole,  ///< known before this scan and met in it
+    RecognizedRole,  ///< known before this scan and recognised in it
     AddedNowRole,    ///< added by this scan
-    SeenSidesRole,   ///< SeenSides, in this scan; invalid: it is not in it
+    SeenSidesRole,   ///< SeenSides in this scan; invalid: not in this scan
   };
 
   explicit ObjectListModel(CatalogueEditor& editor, QObject* parent = nullptr);
@@ -39,32 +39,32 @@ class ObjectListModel : public QAbstractListModel {
   void markAdded(ObjectId object);
   void markRecognized(ObjectId object);
   void setInView(const std::vector<SeenObject>& seen);
-  /// Of the objects that this scan has.
+  /// For the objects of this scan.
   void setSeenSides(std::map<ObjectId, SeenSides> sides);
 
   [[nodiscard]] ObjectId objectAt(const QModelIndex& index) const;
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
-  /// Known before this scan and met in it.
+  /// Known before this scan and recognised in it.
   [[nodiscard]] bool isRecognized(ObjectId object) const { return recognized_.contains(object); }
-  /// How many rows after that one this scan has added.
+  /// Number of objects that this scan added after that row.
   [[nodiscard]] int addedAfter(ObjectId object) const;
   [[nodiscard]] int confirmedCount() const { return confirmed_count_; }
 
  signals:
-  void aboutToUpdate();  ///< rows are about to come, go or change
-  void updated();        ///< they have
-  /// Between the two: both rows are there, that of `from` is about to go.
+  void aboutToUpdate();  ///< before rows are added, removed or changed
+  void updated();        ///< after that
+  /// Between the two signals: both rows exist; that of `from` will be removed.
   void merged(scantrove::ObjectId into, scantrove::ObjectId from);
 
  private:
-  using Rows = std::vector<ObjectRecord>;  ///< by rising id
+  using Rows = std::vector<ObjectRecord>;  ///< by ascending id
 
   void readAll();
   void applyChanges(const CatalogueChanges& changes);
-  void put(ObjectRecord record);
-  void take(ObjectId object);
-  [[nodiscard]] Rows::const_iterator placeOf(ObjectId object) const;
+  void insertOrUpdate(ObjectRecord record);
+  void removeObject(ObjectId object);
+  [[nodiscard]] Rows::const_iterator positionOf(ObjectId object) const;
   void emitRow(ObjectId object, const QList<int>& roles);
   [[nodiscard]] QImage picture(ObjectId object) const;
   [[nodiscard]] QString toolTip(const ObjectRecord& record) const;

@@ -9,11 +9,11 @@
 namespace scantrove {
 namespace {
 
-constexpr float kLikeEnough = 0.45F;
+constexpr float kMinLikeness = 0.45F;
 constexpr std::size_t kMaxProposals = 12;
 constexpr std::size_t kMaxRejections = 200;
 constexpr float kSameAppearance = 0.75F;
-constexpr float kClearlyMore = 0.03F;
+constexpr float kMinDifference = 0.03F;
 const QString kRejectionsKey = QStringLiteral("proposals/rejected");
 
 QByteArray bytesOf(const RegionAppearance& appearance) {
@@ -39,15 +39,17 @@ std::optional<RegionAppearance> appearanceOf(const QByteArray& bytes) {
 RegionProposals::RegionProposals(QObject* parent) : QObject(parent) { load(); }
 
 void RegionProposals::propose(RegionId named, const QString& name, const QString& category,
-                              const Appearances& looks) {
-  const auto model = looks.find(named);
+                              const Appearances& appearances) {
+  const auto model = appearances.find(named);
   open_.clear();
   observations_.clear();
-  if (model != looks.end() && !name.isEmpty()) {
-    for (const auto& [region, appearance] : looks) {
-      const float alike = likeness(model->second, appearance);
-      if (region == named || alike < kLikeEnough || isRejected(name, region, appearance, alike)) continue;
-      open_.push_back({region, name, category, alike, appearance.size_m});
+  if (model != appearances.end() && !name.isEmpty()) {
+    for (const auto& [region, appearance] : appearances) {
+      const float likeness_to_region = likeness(model->second, appearance);
+      if (region == named || likeness_to_region < kMinLikeness ||
+          isRejected(name, region, appearance, likeness_to_region))
+        continue;
+      open_.push_back({region, name, category, likeness_to_region, appearance.size_m});
       observations_[region] = appearance;
     }
   }
@@ -61,8 +63,8 @@ bool RegionProposals::isRejected(const QString& name, RegionId region, const Reg
   if (rejected_.contains({region, name})) return true;
   return std::ranges::any_of(rejections_, [&](const Rejection& rejection) {
     if (rejection.name != name) return false;
-    const float alike = likeness(rejection.appearance, appearance);
-    return alike > kSameAppearance && alike > likeness_to_named + kClearlyMore;
+    const float to_rejected = likeness(rejection.appearance, appearance);
+    return to_rejected > kSameAppearance && to_rejected > likeness_to_named + kMinDifference;
   });
 }
 

@@ -12,7 +12,7 @@
 
 namespace scantrove {
 
-/// A region that looks like one that was just named.
+/// A region similar to one that was just named.
 struct Proposal {
   RegionId region;
   QString name, category;
@@ -20,8 +20,9 @@ struct Proposal {
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
 };
 
-/// What else may bear a name that was given: name once. Likest first, one after the other. What a person
-/// rejects is not proposed under that name again, nor is what looks the same, in this scan and in later ones.
+/// Proposes regions similar to a named one for the same name, most similar first. If the user rejects a
+/// region, neither it nor regions of the same appearance are proposed for that name again, in this or later
+/// scans.
 class RegionProposals : public QObject {
   Q_OBJECT
 
@@ -30,20 +31,20 @@ class RegionProposals : public QObject {
 
   explicit RegionProposals(QObject* parent = nullptr);
 
-  /// `named` got a name; `looks`: of all that may get it too, and of `named`.
-  void propose(RegionId named, const QString& name, const QString& category, const Appearances& looks);
-  /// Nothing is asked any more; what was rejected stays rejected.
+  /// `named` got a name; `appearances`: of the regions that may get it too, and of `named`.
+  void propose(RegionId named, const QString& name, const QString& category, const Appearances& appearances);
+  /// Removes all open proposals; rejections remain.
   void withdraw();
-  /// Another scan begins: withdraws, and forgets what was rejected for regions of this one.
+  /// For a new scan: removes open proposals and the rejections of regions of the old scan.
   void clear();
 
   [[nodiscard]] const std::vector<Proposal>& open() const { return open_; }
   [[nodiscard]] const Proposal* first() const { return open_.empty() ? nullptr : &open_.front(); }
-  /// Takes the first one, or all, away: they are given their name.
+  /// Removes and returns the first proposal, or all; the caller names them.
   [[nodiscard]] std::vector<Proposal> acceptFirst();
   [[nodiscard]] std::vector<Proposal> acceptAll();
   void rejectFirst();
-  /// The region is something else by now.
+  /// Removes the proposal of a region that changed.
   void drop(RegionId region);
 
  signals:
@@ -60,9 +61,9 @@ class RegionProposals : public QObject {
   void save() const;
 
   std::vector<Proposal> open_;
-  Appearances observations_;                         // of open_
-  std::set<std::pair<RegionId, QString>> rejected_;  // in this scan
-  std::vector<Rejection> rejections_;                // for ever, oldest first
+  Appearances observations_;                         // appearances of open_
+  std::set<std::pair<RegionId, QString>> rejected_;  // regions of this scan
+  std::vector<Rejection> rejections_;                // stored between runs, oldest first
 };
 
 /// "87 %, 11 x 9 x 8 cm"

@@ -7,34 +7,34 @@
 namespace scantrove {
 namespace {
 
-/// Smaller ones are crumbs that nobody wants to walk through.
-constexpr std::int64_t kVoxelsToWalkTo = 200;
+/// Smaller regions are skipped.
+constexpr std::int64_t kMinVoxels = 200;
 
 }  // namespace
 
 void RegionSelection::update(const ScanSnapshot& snapshot) {
-  takeChanges(snapshot.changed_regions);
+  applyChanges(snapshot.changed_regions);
   if (snapshot.region_infos == nullptr) return;
   infos_ = snapshot.region_infos;
   bool moved = false;
   for (std::size_t i = 0; i < selected_.size(); ++i) {
     if (info(selected_[i]) != nullptr) continue;
-    selected_[i] = nowOf(fragments_[i]);
+    selected_[i] = currentRegionOf(fragments_[i]);
     moved = true;
   }
   if (moved) {
-    std::vector<RegionId> still;
+    std::vector<RegionId> remaining;
     for (const RegionId region : selected_) {
-      if (region && std::ranges::find(still, region) == still.end()) still.push_back(region);
+      if (region && std::ranges::find(remaining, region) == remaining.end()) remaining.push_back(region);
     }
-    selected_ = std::move(still);
+    selected_ = std::move(remaining);
     emit selectionChanged();
   }
-  keepFragments();
+  storeFragments();
   emit infosChanged();
 }
 
-void RegionSelection::takeChanges(const std::vector<RegionChange>& changes) {
+void RegionSelection::applyChanges(const std::vector<RegionChange>& changes) {
   for (const auto& [fragment, region, by_person] : changes) {
     if (fragment.value >= region_of_.size()) region_of_.resize(fragment.value + std::size_t{1});
     region_of_[fragment.value] = region;
@@ -47,7 +47,7 @@ void RegionSelection::reset() {
   fragments_.clear();
   hovered_ = {};
   selected_.clear();
-  walked_.clear();
+  visited_.clear();
   emit hoverChanged();
   emit selectionChanged();
   emit infosChanged();
@@ -60,40 +60,40 @@ void RegionSelection::hover(RegionId region) {
 }
 
 void RegionSelection::select(RegionId region, bool also) {
-  std::vector<RegionId> requested = also ? selected_ : std::vector<RegionId>{};
-  if (region && std::erase(requested, region) == 0) requested.push_back(region);
-  select(requested);
+  std::vector<RegionId> regions = also ? selected_ : std::vector<RegionId>{};
+  if (region && std::erase(regions, region) == 0) regions.push_back(region);
+  select(regions);
 }
 
 void RegionSelection::select(const std::vector<RegionId>& regions) {
   if (regions == selected_) return;
   selected_ = regions;
-  keepFragments();
+  storeFragments();
   emit selectionChanged();
 }
 
-void RegionSelection::walk(bool forward) {
+void RegionSelection::selectBySize(bool forward) {
   const auto exists = [this](RegionId region) { return info(region) != nullptr; };
-  std::erase_if(walked_, std::not_fn(exists));
+  std::erase_if(visited_, std::not_fn(exists));
   if (!forward) {
-    if (walked_.size() > 1) walked_.pop_back();
-    if (!walked_.empty()) select(walked_.back());
+    if (visited_.size() > 1) visited_.pop_back();
+    if (!visited_.empty()) select(visited_.back());
     return;
   }
   const RegionInfo* largest = nullptr;
   bool any = false;
   for (const RegionInfo& region : *infos_) {
-    if (region.voxels < kVoxelsToWalkTo || region.note.background) continue;
+    if (region.voxels < kMinVoxels || region.note.background) continue;
     any = true;
-    if (std::ranges::find(walked_, region.region) != walked_.end()) continue;
+    if (std::ranges::find(visited_, region.region) != visited_.end()) continue;
     if (largest == nullptr || region.voxels > largest->voxels) largest = &region;
   }
   if (largest != nullptr) {
-    walked_.push_back(largest->region);
+    visited_.push_back(largest->region);
     select(largest->region);
   } else if (any) {
-    walked_.clear();
-    walk(true);
+    visited_.clear();
+    selectBySize(true);
   }
 }
 
@@ -117,7 +117,7 @@ QString RegionSelection::title(RegionId region) const {
   return tr("Region %1").arg(region.value);
 }
 
-RegionId RegionSelection::nowOf(const std::vector<FragmentId>& fragments) const {
+RegionId RegionSelection::currentRegionOf(const std::vector<FragmentId>& fragments) const {
   std::map<RegionId, int> votes;
   for (const FragmentId fragment : fragments) {
     if (fragment.value < region_of_.size() && region_of_[fragment.value]) ++votes[region_of_[fragment.value]];
@@ -126,7 +126,7 @@ RegionId RegionSelection::nowOf(const std::vector<FragmentId>& fragments) const 
   return most == votes.end() ? RegionId{} : most->first;
 }
 
-void RegionSelection::keepFragments() {
+void RegionSelection::storeFragments() {
   fragments_.assign(selected_.size(), {});
   if (selected_.empty()) return;
   for (std::uint32_t fragment = 1; fragment < region_of_.size(); ++fragment) {

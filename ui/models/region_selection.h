@@ -9,35 +9,34 @@
 
 namespace scantrove {
 
-/// The regions of the scan that is shown, and which of them a person points at: one is under the pointer,
-/// some are selected. All views show the same. A region that is joined with another, or parts, while it is
-/// selected is followed by its fragments.
+/// The regions of the shown scan, the region under the pointer and the selected regions, shared by all views.
+/// If a selected region is merged or split, its fragments decide which region stays selected.
 class RegionSelection : public QObject {
   Q_OBJECT
 
  public:
   explicit RegionSelection(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Takes over what is new in the snapshot.
+  /// Applies the changes of a snapshot.
   void update(const ScanSnapshot& snapshot);
-  /// Another scan.
+  /// Clears everything for another scan.
   void reset();
 
   void hover(RegionId region);
-  /// Selects the region alone; with `also`, in addition to the others, or no longer when it was. None,
-  /// without `also`: nothing.
+  /// Selects only this region; with `also`, adds it to the selection or removes it. No region without `also`:
+  /// clears the selection.
   void select(RegionId region, bool also = false);
   void select(const std::vector<RegionId>& regions);
-  /// Selects the largest region that was not walked to yet, whatever grows meanwhile; or goes back to the one
-  /// before. When all were walked to, it begins again.
-  void walk(bool forward);
+  /// Forward: selects the largest region that this function has not selected yet, and starts again after all.
+  /// Backward: selects the previous one.
+  void selectBySize(bool forward);
 
   [[nodiscard]] RegionId hovered() const { return hovered_; }
-  /// In the order in which they were selected.
+  /// In the order of selection.
   [[nodiscard]] const std::vector<RegionId>& selected() const { return selected_; }
   [[nodiscard]] bool isSelected(RegionId region) const;
 
-  /// Null: there is no such region.
+  /// Null if there is no such region.
   [[nodiscard]] const RegionInfo* info(RegionId region) const;
   [[nodiscard]] const RegionInfos& infos() const { return *infos_; }
   [[nodiscard]] std::set<RegionId> background() const;
@@ -50,17 +49,17 @@ class RegionSelection : public QObject {
   void infosChanged();
 
  private:
-  void takeChanges(const std::vector<RegionChange>& changes);
-  /// What the fragments that were selected as one region are now.
-  [[nodiscard]] RegionId nowOf(const std::vector<FragmentId>& fragments) const;
-  void keepFragments();
+  void applyChanges(const std::vector<RegionChange>& changes);
+  /// The region that holds most of these fragments now.
+  [[nodiscard]] RegionId currentRegionOf(const std::vector<FragmentId>& fragments) const;
+  void storeFragments();
 
   std::shared_ptr<const RegionInfos> infos_ = std::make_shared<RegionInfos>();
   std::vector<RegionId> region_of_;  // by fragment
   RegionId hovered_;
   std::vector<RegionId> selected_;
-  std::vector<RegionId> walked_;                    // in order
-  std::vector<std::vector<FragmentId>> fragments_;  // of selected_, when they were selected
+  std::vector<RegionId> visited_;                   // by selectBySize(), in order
+  std::vector<std::vector<FragmentId>> fragments_;  // of selected_, at the time of selection
 };
 
 }  // namespace scantrove

@@ -5,7 +5,6 @@
 
 namespace scantrove {
 
-/// A step on the stack.
 class UndoHistory::Entry final : public QUndoCommand {
  public:
   Entry(const UndoHistory& history, Owner owner, Step step)
@@ -30,43 +29,43 @@ class UndoHistory::Entry final : public QUndoCommand {
 
 void UndoHistory::push(Owner owner, Step step) { stack_.push(new Entry(*this, owner, std::move(step))); }
 
-void UndoHistory::learn(Owner owner, const std::vector<Step>& steps, std::size_t done) {
-  std::vector<Remembered> later = all();
-  const bool is_anything_done = std::ranges::any_of(later, &Remembered::is_done);
-  std::vector<Remembered> steps_now;
+void UndoHistory::prepend(Owner owner, const std::vector<Step>& steps, std::size_t done) {
+  std::vector<StepState> later = all();
+  const bool is_anything_done = std::ranges::any_of(later, &StepState::is_done);
+  std::vector<StepState> steps_now;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (i < done || !is_anything_done) steps_now.push_back({owner, steps[i], i < done});
   }
   const bool is_anything_undone = done < steps.size() && !is_anything_done;
-  // What was undone in two places can be done again in one order only.
-  if (is_anything_undone) std::erase_if(later, [](const Remembered& one) { return !one.is_done; });
+  // Steps undone in both histories cannot be ordered, so the later ones are dropped.
+  if (is_anything_undone) std::erase_if(later, [](const StepState& one) { return !one.is_done; });
   steps_now.insert(steps_now.end(), later.begin(), later.end());
   replaceAll(steps_now);
 }
 
 void UndoHistory::forget(Owner owner) {
-  std::vector<Remembered> steps = all();
-  if (std::erase_if(steps, [owner](const Remembered& one) { return one.owner == owner; }) > 0)
+  std::vector<StepState> steps = all();
+  if (std::erase_if(steps, [owner](const StepState& one) { return one.owner == owner; }) > 0)
     replaceAll(steps);
 }
 
 void UndoHistory::forget(const QUndoCommand& step) {
-  std::vector<Remembered> steps = all();
-  if (std::erase_if(steps, [&step](const Remembered& one) { return one.step.get() == &step; }) > 0)
+  std::vector<StepState> steps = all();
+  if (std::erase_if(steps, [&step](const StepState& one) { return one.step.get() == &step; }) > 0)
     replaceAll(steps);
 }
 
 bool UndoHistory::undoNewest(Owner owner) {
-  const std::vector<Remembered> steps = all();
+  const std::vector<StepState> steps = all();
   const auto newest =
-      std::find_if(steps.rbegin(), steps.rend(), [](const Remembered& one) { return one.is_done; });
+      std::find_if(steps.rbegin(), steps.rend(), [](const StepState& one) { return one.is_done; });
   if (newest == steps.rend() || newest->owner != owner) return false;
   stack_.undo();
   return true;
 }
 
-std::vector<UndoHistory::Remembered> UndoHistory::all() const {
-  std::vector<Remembered> steps;
+std::vector<UndoHistory::StepState> UndoHistory::all() const {
+  std::vector<StepState> steps;
   for (int i = 0; i < stack_.count(); ++i) {
     const auto& entry = static_cast<const Entry&>(*stack_.command(i));
     steps.push_back({entry.owner(), entry.step(), i < stack_.index()});
@@ -74,11 +73,11 @@ std::vector<UndoHistory::Remembered> UndoHistory::all() const {
   return steps;
 }
 
-void UndoHistory::replaceAll(const std::vector<Remembered>& steps) {
+void UndoHistory::replaceAll(const std::vector<StepState>& steps) {
   is_replaced_ = true;
   stack_.clear();
-  for (const Remembered& one : steps) stack_.push(new Entry(*this, one.owner, one.step));
-  stack_.setIndex(static_cast<int>(std::ranges::count_if(steps, &Remembered::is_done)));
+  for (const StepState& one : steps) stack_.push(new Entry(*this, one.owner, one.step));
+  stack_.setIndex(static_cast<int>(std::ranges::count_if(steps, &StepState::is_done)));
   is_replaced_ = false;
 }
 

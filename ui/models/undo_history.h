@@ -5,11 +5,10 @@
 
 namespace scantrove {
 
-/// All that a person did in the window and can take back, in the order in which it was done, whatever part of
-/// the window it was done in. The window's thread.
+/// Undo steps of all parts of the window, in the order of the edits. Use from the window's thread.
 class UndoHistory {
  public:
-  /// Whose steps they are: a part of the window.
+  /// The part of the window that a step belongs to.
   using Owner = const void*;
   using Step = std::shared_ptr<QUndoCommand>;
 
@@ -17,33 +16,33 @@ class UndoHistory {
   UndoHistory(const UndoHistory&) = delete;
   UndoHistory& operator=(const UndoHistory&) = delete;
 
-  /// Does the step (its redo()), and remembers it. One that is obsolete by then is forgotten.
+  /// Runs redo() of the step and stores it, unless it is obsolete after that.
   void push(Owner owner, Step step);
-  /// Steps that were done before anything else in here. Those from `done` on can be done again, unless
-  /// something has been done since.
-  void learn(Owner owner, const std::vector<Step>& steps, std::size_t done);
-  /// The owner's steps can no longer be taken back, or this one cannot.
+  /// Adds steps from before all others. Steps from index `done` on can be redone, unless another step has
+  /// been done since.
+  void prepend(Owner owner, const std::vector<Step>& steps, std::size_t done);
+  /// Removes the steps of an owner, or one step.
   void forget(Owner owner);
   void forget(const QUndoCommand& step);
 
-  /// Takes the newest step back if it is the owner's. False: it is another's.
+  /// Undoes the newest step if it belongs to the owner. False: it belongs to another.
   bool undoNewest(Owner owner);
 
-  /// For the actions and the list.
+  /// For undo and redo actions and the history list.
   [[nodiscard]] QUndoStack& stack() { return stack_; }
 
  private:
   class Entry;
-  struct Remembered {
+  struct StepState {
     Owner owner = nullptr;
     Step step;
     bool is_done = false;
   };
-  [[nodiscard]] std::vector<Remembered> all() const;
-  void replaceAll(const std::vector<Remembered>& steps);
+  [[nodiscard]] std::vector<StepState> all() const;
+  void replaceAll(const std::vector<StepState>& steps);
 
   QUndoStack stack_;
-  bool is_replaced_ = false;  // while it is: nothing is done or taken back
+  bool is_replaced_ = false;  // while true, steps are neither undone nor redone
 };
 
 }  // namespace scantrove

@@ -13,7 +13,7 @@
 namespace scantrove {
 namespace {
 
-/// Plain text as rich text, `words in back quotes` as code.
+/// Converts plain text to rich text, with text in back quotes as code.
 QString withCode(const QString& text) {
   static const QRegularExpression quoted(QStringLiteral("`([^`]+)`"));
   return text.toHtmlEscaped().replace(quoted, QStringLiteral("<code>\\1</code>"));

@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace scantrove {
 
-/// Lists the depth cameras of this computer and the virtual one; says what to do when there is none.
+/// Lists the depth cameras of this computer and the virtual one; gives advice if there is none.
 class CameraDialog : public QDialog {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class CameraDialog : public QDialog {
   using Lister = std::function<Result<std::vector<CameraInfo>>()>;
 
   explicit CameraDialog(Lister lister, QWidget* parent = nullptr);
-  /// "camera:URI" of what was chosen.
+  /// "camera:URI" of the chosen camera.
   [[nodiscard]] QString source() const;
 
  public slots:

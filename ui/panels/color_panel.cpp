@@ -15,7 +15,7 @@ const QColor kSelected(255, 208, 0);
 constexpr double kGhostOpacity = 0.55;
 
 void paintCandidate(QPainter& painter, const QRectF& place) {
-  // On whole pixels, or a line this thin is grey.
+  // Aligned to pixels; otherwise antialiasing makes the thin line grey.
   const QRectF box = QRectF(place.toAlignedRect()).translated(0.5, 0.5);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(0, 0, 0, 110), 2.4));
@@ -62,7 +62,7 @@ void ColorPanel::setSelected(const std::set<ObjectId>& selected) {
 }
 
 void ColorPanel::sortObjects() {
-  // Labels choose their places in this order: the same in every frame, so that they do not jump about.
+  // Labels are placed in this order. It is the same in every frame, so that labels do not jump.
   const auto rank = [this](const SeenObject& object) {
     return std::tuple(!isSelected(object), !object.object, object.object, object.regions);
   };
@@ -97,11 +97,11 @@ void ColorPanel::paintGhost(QPainter& painter, const QRectF& rect) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(kSelected, 2.0, Qt::DashLine));
   painter.drawRect(rect.adjusted(1, 1, -1, -1));
-  const QString wish =
-      painter.fontMetrics().elidedText(tr("Camera lost. Point it at this, or at any place that it has seen"),
-                                       Qt::ElideRight, static_cast<int>(rect.width()) - 24);
-  const QSizeF chip = chipSize(painter, wish);
-  paintChip(painter, {rect.center().x() - chip.width() / 2, rect.top() + 8}, wish, kSelected);
+  const QString text = painter.fontMetrics().elidedText(
+      tr("Camera lost. Point it at this view, or at any place that it has seen"), Qt::ElideRight,
+      static_cast<int>(rect.width()) - 24);
+  const QSizeF chip = chipSize(painter, text);
+  paintChip(painter, {rect.center().x() - chip.width() / 2, rect.top() + 8}, text, kSelected);
   painter.restore();
 }
 
@@ -116,7 +116,7 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   std::vector<LabelRequest> requests;
   for (const SeenObject& object : objects_) {
     const QString name = nameOf(object);
-    if (!object.object || name.isEmpty()) continue;  // a candidate, or deleted since
+    if (!object.object || name.isEmpty()) continue;  // a candidate, or a deleted object
     named.push_back(&object);
     names.push_back(QFontMetricsF(font).elidedText(name, Qt::ElideRight, rect.width() / 2));
     requests.push_back({objectRect(object), chipSize(painter, names.back())});
@@ -124,10 +124,10 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   for (const SeenObject& object : objects_) {
     if (!object.object) paintCandidate(painter, objectRect(object));
   }
-  // Backwards, so that the selected ones lie on top.
+  // In reverse order, so that selected boxes are on top.
   for (auto object = named.rbegin(); object != named.rend(); ++object)
     paintBox(painter, objectRect(**object), isSelected(**object));
-  // The bottom line is the title's.
+  // The bottom line is reserved for the title.
   const std::vector<QRectF> places =
       placeLabels(requests, rect.adjusted(0, 0, 0, -chipSize(painter, title()).height() - 8));
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -10,7 +10,7 @@ namespace scantrove {
 namespace {
 
 constexpr double kGap_deg = 4;  // between sides
-constexpr double kHole = 0.62;  // inner radius, of the outer one
+constexpr double kHole = 0.62;  // inner radius as a fraction of the outer
 
 QPainterPath sector(const QRectF& outer, const QRectF& inner, double from_deg, double span_deg) {
   QPainterPath path;
@@ -35,7 +35,7 @@ void paintCoverageRing(QPainter* painter, const QRectF& square, const SeenSides&
   const QRectF hole = square.adjusted(margin, margin, -margin, -margin);
   constexpr double kSide_deg = 360.0 / SeenSides::kSides;
   for (std::size_t side = 0; side < SeenSides::kSides; ++side) {
-    // Qt's angles, too, go counterclockwise; its 0 is on the right.
+    // Qt's angles are counterclockwise, with 0 on the right.
     const double middle_deg = 270 + kSide_deg * static_cast<double>(side);
     painter->setBrush(seen.sides[side] ? filled : open);
     painter->drawPath(sector(square, hole, middle_deg - kSide_deg / 2 + kGap_deg / 2, kSide_deg - kGap_deg));

@@ -9,8 +9,8 @@ namespace scantrove {
 
 struct ThemeColors;
 
-/// A thing as seen from above, in the middle of the ring of its sides: what was seen is filled in, the first
-/// side at the bottom; the disc in the middle stands for above. With a tick when all sides were seen.
+/// A ring of the sides of an object seen from above, the first side at the bottom. Seen sides are filled; the
+/// disc in the middle stands for the view from above. Has a tick if all sides were seen.
 void paintCoverageRing(QPainter* painter, const QRectF& square, const SeenSides& seen,
                        const ThemeColors& colors);
 

@@ -3,8 +3,8 @@
 
 namespace scantrove {
 
-/// One line of plain text that may be given less room than it wants: what does not fit is left out at its
-/// end, or where setElideMode() says, and is in the tooltip.
+/// One line of plain text that is elided if it does not fit, at the end or as setElideMode() says. The
+/// tooltip then has the full text.
 class ElidedLabel : public QLabel {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class ElidedLabel : public QLabel {
     elide();
   }
 
-  /// `help` is the tooltip; without it the full text is, where it is cut.
+  /// `help` is the tooltip; if empty, an elided text has the full text as tooltip.
   void setFullText(const QString& text, const QString& help = {}) {
     full_text_ = text;
     help_ = help;

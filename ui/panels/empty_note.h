@@ -4,7 +4,7 @@
 
 namespace scantrove {
 
-/// What a panel shows while it has nothing to show: a picture, what is missing, and how it comes.
+/// Shown in an empty panel: an icon, what is missing, and how to get it.
 class EmptyNote : public QWidget {
   Q_OBJECT
 

@@ -28,9 +28,9 @@ namespace {
 
 const QString kFormatKey = QStringLiteral("export/format");
 const QString kFolderKey = QStringLiteral("export/folder");
-constexpr int kAskAfter_ms = 200;
+constexpr int kPreviewDelay_ms = 200;
 constexpr int kDialogWidth_px = 560;
-constexpr int kRoomForWords_px = 40;  ///< what an export says takes more lines than at first
+constexpr int kRoomForMessage_px = 40;  ///< messages of an export may need more lines
 constexpr int kRoomForTitle_px = 40;
 
 QString aboutFormat(DatasetFormat format) {
@@ -84,7 +84,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   about_->setProperty("muted", true);
   folder_->setAccessibleName(tr("Folder"));
   message_->setWordWrap(true);
-  message_->setObjectName(QStringLiteral("exportSaid"));
+  message_->setObjectName(QStringLiteral("exportMessage"));
   bar_->setVisible(false);
   show_folder_->setVisible(false);
   export_->setDefault(true);
@@ -105,7 +105,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   buttons->addStretch(1);
   buttons->addWidget(cancel_);
   buttons->addWidget(export_);
-  // On a small screen the choices scroll; what the export says and the buttons stay in reach.
+  // On a small screen the options scroll; message and buttons stay visible.
   content_ = new QWidget;
   auto* choices = new QVBoxLayout(content_);
   choices->setContentsMargins(0, 0, 0, 0);
@@ -127,19 +127,19 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   column->addWidget(bar_);
   column->addLayout(buttons);
 
-  ask_.setSingleShot(true);
-  ask_.setInterval(kAskAfter_ms);
-  connect(&ask_, &QTimer::timeout, this, [this] {
+  preview_timer_.setSingleShot(true);
+  preview_timer_.setInterval(kPreviewDelay_ms);
+  connect(&preview_timer_, &QTimer::timeout, this, [this] {
     if (is_working_) return;
     emit posted(PreviewExport{options()});
-    emit posted(SampleExport{options(), sample_->place()});
+    emit posted(SampleExport{options(), sample_->index()});
   });
-  connect(sample_, &ExportSampleView::rowRequested, this, [this](int place) {
-    if (!is_working_) emit posted(SampleExport{options(), place});
+  connect(sample_, &ExportSampleView::rowRequested, this, [this](int index) {
+    if (!is_working_) emit posted(SampleExport{options(), index});
   });
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
-  connect(all_frames_, &QCheckBox::toggled, this, &ExportDialog::askSoon);
-  connect(background_, &QCheckBox::toggled, this, &ExportDialog::askSoon);
+  connect(all_frames_, &QCheckBox::toggled, this, &ExportDialog::requestPreview);
+  connect(background_, &QCheckBox::toggled, this, &ExportDialog::requestPreview);
   connect(choose_button, &QPushButton::clicked, this, &ExportDialog::choose);
   connect(export_, &QPushButton::clicked, this, &ExportDialog::begin);
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
@@ -150,9 +150,9 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
 
 QSize ExportDialog::sizeHint() const {
   const QSize rest = QDialog::sizeHint() - scroll_->sizeHint();
-  const QSize whole = content_->sizeHint() + rest + QSize(0, kRoomForWords_px);
-  const QSize most = screen()->availableSize() - QSize(0, kRoomForTitle_px);
-  return whole.expandedTo({kDialogWidth_px, 0}).boundedTo(most);
+  const QSize full = content_->sizeHint() + rest + QSize(0, kRoomForMessage_px);
+  const QSize available = screen()->availableSize() - QSize(0, kRoomForTitle_px);
+  return full.expandedTo({kDialogWidth_px, 0}).boundedTo(available);
 }
 
 ExportOptions ExportDialog::options() const {
@@ -174,7 +174,7 @@ QString ExportDialog::proposedFolder() const {
   return folder;
 }
 
-QString ExportDialog::said() const { return message_->text(); }
+QString ExportDialog::message() const { return message_->text(); }
 
 void ExportDialog::choose() {
   const QString parent = chooseFolder(this, tr("Folder of the data set"), QFileInfo(folder_->text()).path());
@@ -186,10 +186,10 @@ void ExportDialog::choose() {
 void ExportDialog::formatChanged() {
   about_->setText(aboutFormat(static_cast<DatasetFormat>(format_->currentIndex())));
   folder_->setText(proposedFolder());
-  askSoon();
+  requestPreview();
 }
 
-void ExportDialog::askSoon() { ask_.start(); }
+void ExportDialog::requestPreview() { preview_timer_.start(); }
 
 void ExportDialog::handleEvent(const ScanEvent& event) {
   std::visit(Overloaded{[this](const ExportPreviewed& e) { showPreview(e.preview); },
@@ -217,7 +217,7 @@ void ExportDialog::begin() {
   QSettings().setValue(kFormatKey, format_->currentIndex());
   QDir().mkpath(QFileInfo(folder_->text()).path());
   setWorking(true);
-  message_->setText(tr("Working…"));
+  message_->setText(tr("Exporting…"));
   emit posted(ExportDataset{options()});
 }
 
@@ -238,7 +238,7 @@ void ExportDialog::showDone(const ExportSummary& summary) {
   what << tr("%1 MB").arg(std::max(1L, std::lround(static_cast<double>(summary.bytes) / 1e6)));
   QString text = tr("Exported %1 to %2").arg(what.join(QStringLiteral(", ")), done_folder_);
   if (!summary.skipped.empty())
-    text += tr("\n%1 frames were left out: %2")
+    text += tr("\n%1 frames are not included: %2")
                 .arg(summary.skipped.size())
                 .arg(QString::fromStdString(summary.skipped.front()));
   message_->setText(text);

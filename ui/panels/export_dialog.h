@@ -17,23 +17,22 @@ namespace scantrove {
 
 class ExportSampleView;
 
-/// Asks what data set is to be made of a scan, says what it will hold, shows its images, and how far it is.
-/// Blocks nothing: the scan can be looked at meanwhile.
+/// Dialog for exporting a data set: options, a preview of its content and images, and progress. Not modal.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `name`: of the scan, for the folder that is proposed.
+  /// `name`: of the scan, used for the proposed folder.
   ExportDialog(const QString& name, QWidget* parent);
 
   [[nodiscard]] ExportOptions options() const;
-  /// As large as its content, where the screen has that room.
+  /// Large enough for the content, within the screen.
   [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QString said() const;
+  [[nodiscard]] QString message() const;
   [[nodiscard]] ExportSampleView* sampleView() const { return sample_; }
   [[nodiscard]] bool isWorking() const { return is_working_; }
 
-  /// Shows what became of the commands that it posted.
+  /// Shows the results of the posted commands.
   void handleEvent(const ScanEvent& event);
   void begin();
   void reject() override;
@@ -48,7 +47,7 @@ class ExportDialog : public QDialog {
   void showFailure(const Error& error);
   void choose();
   void formatChanged();
-  void askSoon();
+  void requestPreview();
   void setWorking(bool working);
   [[nodiscard]] QString proposedFolder() const;
 
@@ -66,7 +65,7 @@ class ExportDialog : public QDialog {
   QPushButton* export_;
   QPushButton* cancel_;
   QPushButton* show_folder_;
-  QTimer ask_;
+  QTimer preview_timer_;
   bool is_working_ = false;
   QString done_folder_;
 };

@@ -18,13 +18,17 @@ constexpr QSize kPictureSize(400, 300);
 }  // namespace
 
 ExportSampleView::ExportSampleView(QWidget* parent)
-    : QWidget(parent), picture_(new QLabel), said_(new QLabel), back_(new QToolButton), on_(new QToolButton) {
+    : QWidget(parent),
+      picture_(new QLabel),
+      caption_(new QLabel),
+      back_(new QToolButton),
+      on_(new QToolButton) {
   picture_->setFixedHeight(kPictureSize.height());
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setWordWrap(true);
   picture_->setAccessibleName(tr("An image of the data set with its masks"));
-  said_->setAlignment(Qt::AlignCenter);
-  said_->setProperty("muted", true);
+  caption_->setAlignment(Qt::AlignCenter);
+  caption_->setProperty("muted", true);
   back_->setArrowType(Qt::LeftArrow);
   back_->setToolTip(tr("Previous image (Page up)"));
   back_->setAccessibleName(tr("Previous image"));
@@ -33,7 +37,7 @@ ExportSampleView::ExportSampleView(QWidget* parent)
   on_->setAccessibleName(tr("Next image"));
   auto* row = new QHBoxLayout;
   row->addWidget(back_);
-  row->addWidget(said_, 1);
+  row->addWidget(caption_, 1);
   row->addWidget(on_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -52,7 +56,7 @@ ExportSampleView::ExportSampleView(QWidget* parent)
 void ExportSampleView::showSample(const ExportSample& sample) {
   count_ = sample.count;
   setVisible(count_ > 0);
-  place_ = count_ > 0 ? std::optional(sample.place) : std::nullopt;
+  index_ = count_ > 0 ? std::optional(sample.place) : std::nullopt;
   updateButtons();
   if (!sample.picture.empty()) {
     const QImage picture = colorPicture(sample.picture);
@@ -64,30 +68,30 @@ void ExportSampleView::showSample(const ExportSample& sample) {
   } else {
     picture_->setText(sample.problem.empty()
                           ? QString()
-                          : tr("This image is left out: %1").arg(QString::fromStdString(sample.problem)));
+                          : tr("This image is not included: %1").arg(QString::fromStdString(sample.problem)));
   }
-  said_->setText(tr("Frame %1 — %2 of %3 — %n masks", nullptr, sample.masks)
-                     .arg(sample.frame)
-                     .arg(sample.place + 1)
-                     .arg(sample.count));
+  caption_->setText(tr("Frame %1 — %2 of %3 — %n masks", nullptr, sample.masks)
+                        .arg(sample.frame)
+                        .arg(sample.place + 1)
+                        .arg(sample.count));
 }
 
-QString ExportSampleView::said() const { return said_->text(); }
+QString ExportSampleView::caption() const { return caption_->text(); }
 
 bool ExportSampleView::hasPicture() const { return !picture_->pixmap().isNull(); }
 
 void ExportSampleView::step(int by) {
-  if (!place_ || !isEnabled()) return;
-  const int requested = std::clamp(*place_ + by, 0, count_ - 1);
-  if (requested == *place_) return;
-  place_ = requested;  // several quick steps add up
+  if (!index_ || !isEnabled()) return;
+  const int requested = std::clamp(*index_ + by, 0, count_ - 1);
+  if (requested == *index_) return;
+  index_ = requested;  // so that quick steps add up
   updateButtons();
   emit rowRequested(requested);
 }
 
 void ExportSampleView::updateButtons() {
-  back_->setEnabled(place_ && *place_ > 0);
-  on_->setEnabled(place_ && *place_ + 1 < count_);
+  back_->setEnabled(index_ && *index_ > 0);
+  on_->setEnabled(index_ && *index_ + 1 < count_);
 }
 
 }  // namespace scantrove

@@ -8,33 +8,33 @@ class QToolButton;
 
 namespace scantrove {
 
-/// One image of a data set that is about to be made, with its masks, and the way to the others: buttons, or
-/// Page up and Page down anywhere in the dialog. The window's thread.
+/// Preview of one image of a data set with its masks. Buttons, or Page up and Page down anywhere in the
+/// dialog, show the others. Use from the window's thread.
 class ExportSampleView : public QWidget {
   Q_OBJECT
 
  public:
   explicit ExportSampleView(QWidget* parent = nullptr);
 
-  /// Hides itself where the format has no images.
+  /// Hidden if the format has no images.
   void showSample(const ExportSample& sample);
-  /// Which image is shown, or was asked for; none: not known yet.
-  [[nodiscard]] std::optional<int> place() const { return place_; }
-  [[nodiscard]] QString said() const;
+  /// Index of the shown or requested image; none: not known yet.
+  [[nodiscard]] std::optional<int> index() const { return index_; }
+  [[nodiscard]] QString caption() const;
   [[nodiscard]] bool hasPicture() const;
 
  signals:
-  void rowRequested(int place);
+  void rowRequested(int index);
 
  private:
   void step(int by);
   void updateButtons();
 
   QLabel* picture_;
-  QLabel* said_;
+  QLabel* caption_;
   QToolButton* back_;
   QToolButton* on_;
-  std::optional<int> place_;
+  std::optional<int> index_;
   int count_ = 0;
 };
 

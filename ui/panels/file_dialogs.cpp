@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-/// Tells folders from files by what the file system says, and no more.
+/// Chooses icons by file type only and never opens a file.
 class NameIconProvider final : public QFileIconProvider {
  public:
   [[nodiscard]] QIcon icon(const QFileInfo& info) const override {
@@ -34,7 +34,7 @@ QString answerOf(QFileDialog& dialog) {
 
 std::unique_ptr<QFileDialog> makeFileDialog(QWidget* parent, const QString& title, const QString& start) {
   static NameIconProvider provider;
-  // The root holds no catalogue: it is listed before the dialog knows how to look at files.
+  // The dialog lists its first folder before the icon provider is set. The root folder holds no catalogue.
   auto dialog = std::make_unique<QFileDialog>(parent, title, QDir::rootPath());
   dialog->setOption(QFileDialog::DontUseNativeDialog);
   dialog->setIconProvider(&provider);

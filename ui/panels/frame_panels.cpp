@@ -11,8 +11,8 @@ namespace scantrove {
 namespace {
 constexpr int kPanelGap = 8;
 constexpr int kMargin = 8;
-constexpr float kRangeFollowing =
-    0.1F;  ///< of the way to the frame's own range, so that colours do not flicker
+/// Share of the change to the range of the current frame; smooths the colours.
+constexpr float kRangeFollowing = 0.1F;
 }  // namespace
 
 FramePanels::FramePanels(QWidget* parent)
@@ -61,7 +61,7 @@ void FramePanels::connectPointing(ImagePanel* panel) {
             emit clicked(at(fraction), modifiers);
           });
   connect(panel, &ImagePanel::doubleClicked, this, [this, panel, at](const QPointF& fraction) {
-    emit doubleClicked(at(fraction), panel->mapToGlobal(panel->placeOf(fraction).toPoint()));
+    emit doubleClicked(at(fraction), panel->mapToGlobal(panel->positionOf(fraction).toPoint()));
   });
   connect(panel, &ImagePanel::menuRequested, this,
           [this, at](const QPointF& fraction, const QPoint& on_screen) {
@@ -76,22 +76,22 @@ void FramePanels::connectPointing(ImagePanel* panel) {
           });
 }
 
-void FramePanels::setLit(RegionId hovered, const std::vector<RegionId>& selected) {
-  if (hovered == lit_hovered_ && selected == lit_selected_) return;
-  lit_hovered_ = hovered;
-  lit_selected_ = selected;
-  showLit();
+void FramePanels::setHighlight(RegionId hovered, const std::vector<RegionId>& selected) {
+  if (hovered == hovered_region_ && selected == selected_regions_) return;
+  hovered_region_ = hovered;
+  selected_regions_ = selected;
+  showHighlight();
 }
 
-void FramePanels::showLit() {
-  const auto litIn = [this](FramePointing::Picture picture) {
-    if (!lit_hovered_ && lit_selected_.empty()) return QImage();
-    return litPicture(pointing_.regionIds(picture), lit_hovered_, lit_selected_);
+void FramePanels::showHighlight() {
+  const auto highlightIn = [this](FramePointing::Picture picture) {
+    if (!hovered_region_ && selected_regions_.empty()) return QImage();
+    return highlightPicture(pointing_.regionIds(picture), hovered_region_, selected_regions_);
   };
-  const QImage lit = litIn(FramePointing::Picture::other);
+  const QImage highlight = highlightIn(FramePointing::Picture::other);
   for (ImagePanel* panel : panels_) {
     const bool has_own = panel == color_ && pointing_.mapsColor();
-    panel->setLit(has_own ? litIn(FramePointing::Picture::color) : lit);
+    panel->setHighlight(has_own ? highlightIn(FramePointing::Picture::color) : highlight);
   }
 }
 
@@ -99,7 +99,7 @@ void FramePanels::setStrokeColor(const std::optional<QColor>& color) {
   for (ImagePanel* panel : panels_) panel->setStrokeColor(color);
 }
 
-void FramePanels::setMarks(std::vector<PlaceMarks> marks) {
+void FramePanels::setMarks(std::vector<PointMarks> marks) {
   marks_ = std::move(marks);
   showMarks();
 }
@@ -110,7 +110,7 @@ void FramePanels::showMarks() {
     for (const auto& [color, places] : marks_) {
       QPolygonF fractions;
       for (const Eigen::Vector3f& place : places) {
-        if (const auto at = pointing_.placeOf(place, pictureOf(panel))) fractions << *at;
+        if (const auto at = pointing_.positionOf(place, pictureOf(panel))) fractions << *at;
       }
       if (!fractions.isEmpty()) shown.push_back({color, fractions});
     }
@@ -139,9 +139,9 @@ void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
   objects_ = snapshot.objects;
   showRegions();
   pointing_.show(snapshot);
-  showLit();
+  showHighlight();
   showMarks();
-  // Another surface may have come under the pointer.
+  // The surface under the pointer may have changed.
   if (pointed_panel_ != nullptr) emit pointedAt(pointing_.at(pointed_fraction_, pictureOf(pointed_panel_)));
 }
 
@@ -153,11 +153,11 @@ void FramePanels::setSelected(const std::set<ObjectId>& selected) {
 }
 
 void FramePanels::showRegions() {
-  std::set<RegionId> lit;
+  std::set<RegionId> highlight;
   for (const SeenObject& object : objects_) {
-    if (selected_.contains(object.object)) lit.insert(object.regions.begin(), object.regions.end());
+    if (selected_.contains(object.object)) highlight.insert(object.regions.begin(), object.regions.end());
   }
-  regions_->setPicture(regionPicture(region_ids_, lit));
+  regions_->setPicture(regionPicture(region_ids_, highlight));
 }
 
 void FramePanels::clear() {
@@ -166,7 +166,7 @@ void FramePanels::clear() {
   pointing_.clear();
   for (ImagePanel* panel : panels_) {
     panel->setPicture({});
-    panel->setLit({});
+    panel->setHighlight({});
   }
   color_->setFrame({}, {});
   color_->setGhost({});
@@ -176,7 +176,7 @@ void FramePanels::clear() {
 void FramePanels::feature(ImagePanel* panel) {
   const auto place = std::find(panels_.begin(), panels_.end(), panel);
   if (place == panels_.end()) return;
-  // A second click on the large one goes back to the colour image.
+  // A second click on the large picture enlarges the colour image again.
   featured_ = static_cast<std::size_t>(place - panels_.begin()) == featured_
                   ? 0
                   : static_cast<std::size_t>(place - panels_.begin());

@@ -8,7 +8,7 @@
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/common/region_point.h"
-#include "ui/models/place_marks.h"
+#include "ui/models/point_marks.h"
 #include "ui/panels/frame_pointing.h"
 #include "ui/panels/image_conversion.h"
 
@@ -18,8 +18,8 @@ class ColorPanel;
 class DepthPanel;
 class ImagePanel;
 
-/// The five pictures of the current frame: one large, the others in a grid below it. A click on a title makes
-/// another one large; what is pointed at in one is lit up in all.
+/// The five pictures of the current frame: one large, the others in a grid below it. A click on a title
+/// enlarges that picture. All pictures highlight the region under the pointer.
 class FramePanels : public QWidget {
   Q_OBJECT
 
@@ -28,18 +28,18 @@ class FramePanels : public QWidget {
 
   void showSnapshot(const ScanSnapshot& snapshot);
   void clear();
-  /// Lights up these objects in the colour image, and their regions among the others.
+  /// Highlights these objects in the colour image and their regions in the region image.
   void setSelected(const std::set<ObjectId>& selected);
   void feature(ImagePanel* panel);
   void featureNext();
-  /// Lights up regions in all pictures.
-  void setLit(RegionId hovered, const std::vector<RegionId>& selected);
-  /// Beside the pointer, in the picture that it is in.
+  /// Highlights regions in all pictures.
+  void setHighlight(RegionId hovered, const std::vector<RegionId>& selected);
+  /// Shows text beside the pointer, in the picture under it.
   void setTag(const QStringList& tag);
-  /// With a colour, drags on the pictures draw strokes of it: strokeAt() says what lies under them.
+  /// With a colour, drags on the pictures draw strokes and emit strokeAt() for the surface under them.
   void setStrokeColor(const std::optional<QColor>& color);
-  /// Marks places of the surface in all pictures that show them.
-  void setMarks(std::vector<PlaceMarks> marks);
+  /// Marks surface points in all pictures that show them.
+  void setMarks(std::vector<PointMarks> marks);
   [[nodiscard]] const FramePointing& pointing() const { return pointing_; }
   [[nodiscard]] ImagePanel* featured() const { return panels_[featured_]; }
   [[nodiscard]] const std::vector<ImagePanel*>& panels() const { return panels_; }
@@ -49,7 +49,7 @@ class FramePanels : public QWidget {
 
  signals:
   void pointedAt(const scantrove::RegionPoint& point);
-  void pointerMoved();  ///< by the hand: pointedAt() also comes with each frame
+  void pointerMoved();  ///< by the user; pointedAt() is also emitted with each frame
   void pointerLeft();
   void clicked(const scantrove::RegionPoint& point, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const scantrove::RegionPoint& point, const QPoint& on_screen);
@@ -67,7 +67,7 @@ class FramePanels : public QWidget {
  private:
   void arrange();
   void showRegions();
-  void showLit();
+  void showHighlight();
   void showMarks();
   void connectPointing(ImagePanel* panel);
   [[nodiscard]] FramePointing::Picture pictureOf(const ImagePanel* panel) const;
@@ -80,13 +80,13 @@ class FramePanels : public QWidget {
   std::vector<ImagePanel*> panels_;
   std::size_t featured_ = 0;
   cv::Mat region_ids_;               ///< of the frame shown
-  std::vector<SeenObject> objects_;  ///< in it
+  std::vector<SeenObject> objects_;  ///< in the frame shown
   std::set<ObjectId> selected_;
   FramePointing pointing_;
-  RegionId lit_hovered_;
-  std::vector<RegionId> lit_selected_;
-  std::vector<PlaceMarks> marks_;
-  ImagePanel* pointed_panel_ = nullptr;  ///< that the pointer is in
+  RegionId hovered_region_;
+  std::vector<RegionId> selected_regions_;
+  std::vector<PointMarks> marks_;
+  ImagePanel* pointed_panel_ = nullptr;  ///< under the pointer
   QPointF pointed_fraction_;
   DepthRange range_;
   bool has_range_ = false;

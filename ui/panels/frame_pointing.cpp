@@ -8,10 +8,10 @@
 namespace scantrove {
 namespace {
 
-/// What lies behind the surface by more than that, of its distance, is hidden.
+/// A point this far behind the surface is hidden; as a fraction of the distance.
 constexpr float kHidden = 0.03F;
 
-/// Pixel of an image that a fraction lies in.
+/// Pixel at a fraction of the image size.
 cv::Point pixelAt(const QPointF& fraction, const cv::Mat& image) {
   return {std::clamp(static_cast<int>(fraction.x() * image.cols), 0, image.cols - 1),
           std::clamp(static_cast<int>(fraction.y() * image.rows), 0, image.rows - 1)};
@@ -47,7 +47,7 @@ void FramePointing::mapColor() const {
       const auto& place = color_places_.at<cv::Vec2f>(y, x);
       const int column = static_cast<int>(std::floor(place[0] * static_cast<float>(regions_.cols)));
       const int row = static_cast<int>(std::floor(place[1] * static_cast<float>(regions_.rows)));
-      // A pixel and a half wide, so that surfaces stay closed where they are seen larger.
+      // Drawn three pixels wide, so that magnified surfaces have no gaps.
       for (int v = std::max(0, row - 1); v <= std::min(regions_.rows - 1, row + 1); ++v) {
         for (int u = std::max(0, column - 1); u <= std::min(regions_.cols - 1, column + 1); ++u) {
           const float behind = (u == column && v == row) ? 0.0F : 0.02F * z;
@@ -88,7 +88,7 @@ RegionPoint FramePointing::at(const QPointF& fraction, Picture picture) const {
   return point;
 }
 
-std::optional<QPointF> FramePointing::placeOf(const Eigen::Vector3f& point_world, Picture picture) const {
+std::optional<QPointF> FramePointing::positionOf(const Eigen::Vector3f& point_world, Picture picture) const {
   if (depth_m_.empty()) return std::nullopt;
   const Eigen::Vector3f point = T_world_camera_.inverse() * point_world;
   if (!(point.z() > 0)) return std::nullopt;

@@ -10,9 +10,9 @@
 
 namespace scantrove {
 
-/// Which region, and which point of its surface, lies where in the pictures of one frame. Places are
-/// fractions of a picture's width and height. The colour camera may stand beside the depth camera: then its
-/// picture has a map of its own.
+/// Finds the region and surface point at a position in the pictures of one frame, and the reverse. Positions
+/// are fractions of a picture's width and height. If the colour camera has another viewpoint than the depth
+/// camera, the colour picture has its own pixel map.
 class FramePointing {
  public:
   enum class Picture { color, other };
@@ -21,22 +21,22 @@ class FramePointing {
   void clear();
 
   [[nodiscard]] RegionPoint at(const QPointF& fraction, Picture picture) const;
-  /// Where a point of the world is seen; none: not in the picture, or something stands before it.
-  [[nodiscard]] std::optional<QPointF> placeOf(const Eigen::Vector3f& point_world, Picture picture) const;
+  /// Position of a world point in the picture; none: outside of it or occluded.
+  [[nodiscard]] std::optional<QPointF> positionOf(const Eigen::Vector3f& point_world, Picture picture) const;
   /// CV_32SC1 region ids by pixel of the picture at the working resolution; empty: no frame.
   [[nodiscard]] const cv::Mat& regionIds(Picture picture) const;
-  /// The colour picture has a map of its own.
+  /// Whether the colour picture has its own pixel map.
   [[nodiscard]] bool mapsColor() const { return !color_places_.empty(); }
   [[nodiscard]] std::vector<RegionId> regionsIn(const QRectF& fractions, Picture picture) const;
 
  private:
-  /// Makes the colour picture's map if it has one; only when somebody points, as it takes long.
+  /// Builds the pixel map of the colour picture. Slow, so it is done when it is first needed.
   void mapColor() const;
 
   cv::Mat regions_, depth_m_;  // CV_32SC1, CV_32FC1
-  cv::Mat color_places_;       // as of the snapshot; empty: the pictures lie over each other
-  // CV_32SC1: place in `regions_`, row by row, that a pixel of the colour picture shows; -1: none. And the
-  // region that lies there. Empty: not needed so far.
+  cv::Mat color_places_;       // as in the snapshot; empty: the pictures are aligned
+  // CV_32SC1 by pixel of the colour picture: index into `regions_`, row by row, -1: none; and the region at
+  // that index. Empty: not built yet.
   mutable cv::Mat pixel_in_color_, regions_in_color_;
   Intrinsics K_;
   Eigen::Isometry3f T_world_camera_ = Eigen::Isometry3f::Identity();

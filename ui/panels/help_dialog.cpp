@@ -12,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-constexpr double kMaxOfScreen = 0.9;  ///< of its height
+constexpr double kMaxOfScreen = 0.9;  ///< share of the screen's height
 
 }  // namespace
 
@@ -40,7 +40,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
     grid->addWidget(new QLabel(meaning), row++, 1);
   };
   heading(tr("Scan"));
-  line(tr("Ctrl+O, Ctrl+Shift+O, Ctrl+Alt+O"), tr("Open a folder; a recording; either, with options"));
+  line(tr("Ctrl+O, Ctrl+Shift+O, Ctrl+Alt+O"), tr("Open a folder, a recording, or either with options"));
   line(tr("Ctrl+K"), tr("Scan with a camera"));
   line(tr("Space"), tr("Pause, resume"));
   line(tr("N"), tr("Step one frame"));
@@ -57,7 +57,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("Undo, redo"));
   heading(tr("Regions (in the 3D view and in the images)"));
   line(tr("Click, Ctrl+click"), tr("Select a region; select another one as well"));
-  line(tr("Ctrl+drag (images: drag)"), tr("Select all in a frame"));
+  line(tr("Ctrl+drag (images: drag)"), tr("Select all regions in a rectangle"));
   line(tr("Tab, Shift+Tab"), tr("Next and previous region by size"));
   line(tr("Return, double click"), tr("Name the region"));
   line(tr("1 … 9"), tr("Give it a recent name"));
@@ -69,27 +69,27 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("A, Shift+A, Backspace"), tr("Suggestion: accept; accept all; reject"));
   line(tr("."), tr("Zoom to selection"));
   line(tr("Escape"), tr("Deselect"));
-  line(tr("Page up, Page down"), tr("Key frames, when the scan has ended"));
+  line(tr("Page up, Page down"), tr("Previous, next key frame (after the scan)"));
   line(tr("Ctrl+E"), tr("Export data set"));
   heading(tr("3D view"));
   line(tr("Drag, arrow keys"), tr("Turn"));
   line(tr("Shift+drag, Shift+arrow keys"), tr("Move"));
   line(tr("Wheel, + and −"), tr("Zoom"));
-  line(tr("Double click beside the scene, Home, Ctrl+0"), tr("Show all"));
+  line(tr("Double click on the background, Home, Ctrl+0"), tr("Show all"));
   line(tr("F"), tr("Follow the camera"));
-  line(tr("G, Shift+G"), tr("Ground grid; arrow to the unseen side"));
-  line(tr("Alt+1 … Alt+5, R"), tr("Colour by scene, regions, both, directions, height; the next"));
+  line(tr("G, Shift+G"), tr("Ground grid; show where to move"));
+  line(tr("Alt+1 … Alt+5, R"), tr("Colour by scene, regions, both, direction, height; next mode"));
   line(tr("Shift+B"), tr("Background shown, dimmed, hidden"));
   line(tr("X, Ctrl+wheel"), tr("Clip plane, move the plane"));
   line(tr("T"), tr("Measure between two clicks"));
-  line(tr("Ctrl+Alt+1 … Ctrl+Alt+6"), tr("Look from front, back, left, right, top, bottom"));
+  line(tr("Ctrl+Alt+1 … Ctrl+Alt+6"), tr("View from front, back, left, right, top, bottom"));
   heading(tr("Window"));
   line(tr("Ctrl+1 … Ctrl+4"), tr("Show or hide objects, current frame, settings, history"));
   line(tr("Click the title of an image, V"), tr("Enlarge it"));
   line(tr("F11"), tr("Presentation mode"));
   line(tr("?, F1"), tr("Show these keys"));
   line(tr("Ctrl+Q"), tr("Quit"));
-  auto* scroll = new QScrollArea;  // the screen may be lower
+  auto* scroll = new QScrollArea;  // for low screens
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

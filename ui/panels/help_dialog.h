@@ -3,7 +3,7 @@
 
 namespace scantrove {
 
-/// The keys and what the mouse does. Stays beside the window; blocks nothing.
+/// Lists keys and mouse actions. Not modal.
 class HelpDialog : public QDialog {
   Q_OBJECT
 

@@ -5,7 +5,7 @@ class QUndoStack;
 
 namespace scantrove {
 
-/// What was done, in words, newest last; a click goes back to there, or forward again.
+/// List of the undo steps, newest last. A click undoes or redoes up to that step.
 class HistoryPanel : public QWidget {
   Q_OBJECT
 

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-constexpr QRgb kNothing = 0xff15171bU;
+constexpr QRgb kEmptyColor = 0xff15171bU;
 
 /// 256 colours, near to far: OpenCV's Turbo from red to blue, without its darkest ends.
 const std::array<QRgb, 256>& depthColors() {
@@ -42,7 +42,7 @@ QImage labelPicture(const cv::Mat& ids, const ColorOf& color_of) {
     for (int x = 0; x < ids.cols; ++x) {
       const std::int32_t id = row[x];
       if (id <= 0) {
-        out[x] = kNothing;
+        out[x] = kEmptyColor;
         continue;
       }
       const Rgb c = color_of(static_cast<std::uint32_t>(id));
@@ -57,10 +57,10 @@ QImage labelPicture(const cv::Mat& ids, const ColorOf& color_of) {
 
 QImage colorPicture(const cv::Mat& bgr) {
   if (bgr.empty() || bgr.type() != CV_8UC3) return {};
-  auto* keeper = new cv::Mat(bgr);
+  auto* owner = new cv::Mat(bgr);
   return QImage(
-      keeper->data, keeper->cols, keeper->rows, static_cast<qsizetype>(keeper->step[0]),
-      QImage::Format_BGR888, [](void* mat) { delete static_cast<cv::Mat*>(mat); }, keeper);
+      owner->data, owner->cols, owner->rows, static_cast<qsizetype>(owner->step[0]), QImage::Format_BGR888,
+      [](void* mat) { delete static_cast<cv::Mat*>(mat); }, owner);
 }
 
 DepthRange usualRange(const cv::Mat& depth_m, const DepthRange& fallback) {
@@ -94,7 +94,7 @@ QImage depthPicture(const cv::Mat& depth_m, const DepthRange& range) {
     for (int x = 0; x < depth_m.cols; ++x) {
       const float z = row[x];
       const float place = std::clamp((z - range.near_m) * scale, 0.0F, 255.0F);
-      out[x] = z > 0 ? colors[static_cast<std::size_t>(place)] : kNothing;
+      out[x] = z > 0 ? colors[static_cast<std::size_t>(place)] : kEmptyColor;
     }
   }
   return picture;
@@ -108,14 +108,14 @@ QImage depthLegend(int width) {
   return legend;
 }
 
-QImage regionPicture(const cv::Mat& region_ids, const std::set<RegionId>& lit) {
+QImage regionPicture(const cv::Mat& region_ids, const std::set<RegionId>& highlight) {
   const auto darkened = [](const Rgb& c) {
     return Rgb{static_cast<std::uint8_t>(c[0] / 4), static_cast<std::uint8_t>(c[1] / 4),
                static_cast<std::uint8_t>(c[2] / 4)};
   };
   return labelPicture(region_ids, [&](std::uint32_t id) {
     const Rgb color = regionColor(RegionId{id});
-    return lit.empty() || lit.contains(RegionId{id}) ? color : darkened(color);
+    return highlight.empty() || highlight.contains(RegionId{id}) ? color : darkened(color);
   });
 }
 

@@ -7,28 +7,27 @@
 
 namespace scantrove {
 
-/// CV_8UC3 BGR; shares the pixels (which nobody may write any more). Null when empty.
+/// Image of CV_8UC3 BGR pixels, which it shares; they must not change any more. Null if empty.
 [[nodiscard]] QImage colorPicture(const cv::Mat& bgr);
 
-/// Depths in metres that a colour map spans; near is warm, far is cold.
+/// Range of depths in a colour map, in metres; near is warm, far is cold.
 struct DepthRange {
   float near_m = 0.4F;
   float far_m = 4.0F;
 };
 
-/// The range that holds the middle 96 % of the readings of CV_32FC1 depth; `fallback` when there are hardly
-/// any.
+/// The range of the middle 96 % of the readings of CV_32FC1 depth; `fallback` if there are very few.
 [[nodiscard]] DepthRange usualRange(const cv::Mat& depth_m, const DepthRange& fallback);
 
 /// CV_32FC1 metres; 0 or NaN (no reading) becomes nearly black.
 [[nodiscard]] QImage depthPicture(const cv::Mat& depth_m, const DepthRange& range);
 
-/// The colour map itself, near to far, `width` x 1: for a legend.
+/// The colour map from near to far, `width` x 1 pixels, for a legend.
 [[nodiscard]] QImage depthLegend(int width);
 
-/// CV_32SC1 ids in the colours of the 3D view, with thin dark lines between ids; 0 becomes nearly black.
-/// When any are `lit`, the others are dark.
-[[nodiscard]] QImage regionPicture(const cv::Mat& region_ids, const std::set<RegionId>& lit = {});
+/// CV_32SC1 ids in the colours of the 3D view, with thin dark lines between ids; 0 becomes nearly black. If
+/// `highlight` is not empty, the other regions are dark.
+[[nodiscard]] QImage regionPicture(const cv::Mat& region_ids, const std::set<RegionId>& highlight = {});
 [[nodiscard]] QImage segmentPicture(const cv::Mat& segment_ids);
 
 }  // namespace scantrove

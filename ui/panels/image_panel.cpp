@@ -45,9 +45,9 @@ void ImagePanel::setLarge(bool large) {
                             : tr("Click the title to enlarge")));
 }
 
-void ImagePanel::setLit(const QImage& lit) {
-  if (lit.isNull() && lit_.isNull()) return;
-  lit_ = lit;
+void ImagePanel::setHighlight(const QImage& highlight) {
+  if (highlight.isNull() && highlight_.isNull()) return;
+  highlight_ = highlight;
   update();
 }
 
@@ -60,7 +60,7 @@ void ImagePanel::setTag(const QStringList& tag) {
 void ImagePanel::setStrokeColor(const std::optional<QColor>& color) {
   if (color == stroke_color_) return;
   stroke_color_ = color;
-  if (!stroke_.isEmpty()) is_given_up_ = true;
+  if (!stroke_.isEmpty()) is_cancelled_ = true;
   stroke_.clear();
   update();
 }
@@ -102,7 +102,7 @@ std::optional<QPointF> ImagePanel::fractionAt(const QPointF& place) const {
   return QPointF((place.x() - frame.left()) / frame.width(), (place.y() - frame.top()) / frame.height());
 }
 
-QPointF ImagePanel::placeOf(const QPointF& fraction) const {
+QPointF ImagePanel::positionOf(const QPointF& fraction) const {
   const QRectF frame = pictureRect();
   return {frame.left() + fraction.x() * frame.width(), frame.top() + fraction.y() * frame.height()};
 }
@@ -112,7 +112,7 @@ QRectF ImagePanel::band() const {
 }
 
 void ImagePanel::paintPointing(QPainter& painter) {
-  if (!lit_.isNull()) painter.drawImage(pictureRect(), lit_);
+  if (!highlight_.isNull()) painter.drawImage(pictureRect(), highlight_);
   if (is_band_) {
     painter.setPen(QPen(QColor(0xff, 0xd0, 0x00), 1, Qt::DashLine));
     painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));
@@ -120,13 +120,13 @@ void ImagePanel::paintPointing(QPainter& painter) {
   }
   for (const Marks& marks : marks_) {
     QPolygonF places;
-    for (const QPointF& fraction : marks.fractions) places << placeOf(fraction);
+    for (const QPointF& fraction : marks.fractions) places << positionOf(fraction);
     paintMarks(painter, places, marks.color);
   }
   if (!stroke_.isEmpty() && stroke_color_) {
     painter.save();
     painter.setClipRect(pictureRect());
-    paintStroke(painter, stroke_.places(), *stroke_color_);
+    paintStroke(painter, stroke_.points(), *stroke_color_);
     painter.restore();
   }
   if (pointer_ && !is_band_) paintPointerTag(painter, *pointer_, rect(), tag_);
@@ -175,12 +175,12 @@ void ImagePanel::paintOverlay(QPainter& /*painter*/, const QRectF& /*rect*/) {}
 void ImagePanel::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   pressed_ = event->position();
-  is_given_up_ = false;
+  is_cancelled_ = false;
 }
 
 void ImagePanel::drag() {
   const bool far = (*pointer_ - *pressed_).manhattanLength() > QApplication::startDragDistance();
-  if (is_band_ || is_given_up_ || !far) return;
+  if (is_band_ || is_cancelled_ || !far) return;
   if (!stroke_color_) {
     is_band_ = true;
   } else if (stroke_.isEmpty()) {
@@ -192,7 +192,7 @@ void ImagePanel::drag() {
 void ImagePanel::drawStroke(const QPolygonF& places) {
   for (const QPointF& place : places) {
     if (const auto fraction = fractionAt(place)) emit strokeAt(*fraction);
-    if (stroke_.isEmpty()) return;  // who listens gave it up
+    if (stroke_.isEmpty()) return;  // a receiver cancelled it
   }
 }
 
@@ -209,7 +209,7 @@ void ImagePanel::mouseMoveEvent(QMouseEvent* event) {
   const bool drags = pressed_ && event->buttons().testFlag(Qt::LeftButton) && !picture_.isNull();
   if (drags) drag();
   if (!stroke_.isEmpty()) drawStroke(stroke_.extend(*pointer_));
-  if (is_band_ || is_given_up_ || !stroke_.isEmpty()) {
+  if (is_band_ || is_cancelled_ || !stroke_.isEmpty()) {
     update();
     return;
   }
@@ -218,7 +218,7 @@ void ImagePanel::mouseMoveEvent(QMouseEvent* event) {
   } else {
     emit pointerLeft();
   }
-  if (!tag_.isEmpty()) update();  // it goes with the pointer
+  if (!tag_.isEmpty()) update();  // it moves with the pointer
 }
 
 void ImagePanel::mouseReleaseEvent(QMouseEvent* event) {
@@ -227,7 +227,7 @@ void ImagePanel::mouseReleaseEvent(QMouseEvent* event) {
   const QRectF drawn = band();
   pressed_.reset();
   update();
-  if (std::exchange(is_given_up_, false)) return;
+  if (std::exchange(is_cancelled_, false)) return;
   if (!stroke_.isEmpty()) return endStroke(*event);
   if (std::exchange(is_band_, false)) {
     const QRectF frame = pictureRect();

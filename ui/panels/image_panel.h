@@ -11,8 +11,8 @@
 
 namespace scantrove {
 
-/// One picture of the current frame, as large as its proportions allow, with its title in a corner. A person
-/// points at what it shows; places are in fractions of the picture's width and height.
+/// One picture of the current frame, scaled to fit, with its title in a corner. Reports pointing, clicks and
+/// drags in fractions of the picture's width and height.
 class ImagePanel : public QWidget {
   Q_OBJECT
 
@@ -20,20 +20,20 @@ class ImagePanel : public QWidget {
   ImagePanel(const QString& title, const QString& explanation, QWidget* parent = nullptr);
 
   void setPicture(const QImage& picture);
-  /// A click on the title makes it large; or another one, when it is.
+  /// Sets the tooltip: a click on the title enlarges this picture or, if it is large, the colour image.
   void setLarge(bool large);
-  /// Laid over the picture: what is pointed at; null: nothing.
-  void setLit(const QImage& lit);
-  [[nodiscard]] const QImage& lit() const { return lit_; }
-  /// Shown beside the pointer while that is in this panel.
+  /// Drawn over the picture for highlighted regions; null: none.
+  void setHighlight(const QImage& highlight);
+  [[nodiscard]] const QImage& highlight() const { return highlight_; }
+  /// Text shown beside the pointer while it is in this panel.
   void setTag(const QStringList& tag);
   [[nodiscard]] const QStringList& tag() const { return tag_; }
-  /// With a colour, a drag that begins on the picture draws a stroke of it; without, a band. A stroke on its
-  /// way is given up.
+  /// With a colour, a drag on the picture draws a stroke; without, a selection band. Cancels the current
+  /// stroke.
   void setStrokeColor(const std::optional<QColor>& color);
-  /// What is being drawn, widget coordinates; empty: nothing is.
-  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.places(); }
-  /// Places that were drawn before, in fractions of the picture, in one colour each.
+  /// The current stroke in widget coordinates; empty: none.
+  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.points(); }
+  /// Marked points in one colour, in fractions of the picture.
   struct Marks {
     QColor color;
     QPolygonF fractions;
@@ -42,15 +42,15 @@ class ImagePanel : public QWidget {
   [[nodiscard]] const std::vector<Marks>& marks() const { return marks_; }
   [[nodiscard]] const QImage& picture() const { return picture_; }
   [[nodiscard]] const QString& title() const { return title_; }
-  /// Where the picture is drawn, in widget coordinates; empty when there is none.
+  /// Rectangle of the picture in widget coordinates; empty if there is none.
   [[nodiscard]] QRectF pictureRect() const;
-  /// Of the title, in widget coordinates.
+  /// Rectangle of the title in widget coordinates.
   [[nodiscard]] QRectF titleRect() const;
-  /// In widget coordinates.
-  [[nodiscard]] QPointF placeOf(const QPointF& fraction) const;
+  /// Widget coordinates of a position in the picture.
+  [[nodiscard]] QPointF positionOf(const QPointF& fraction) const;
 
  signals:
-  void activated();  ///< the title was clicked: show it large
+  void activated();  ///< the title was clicked, to enlarge the picture
   void pointedAt(const QPointF& fraction);
   void pointerLeft();
   void clicked(const QPointF& fraction, Qt::KeyboardModifiers modifiers);
@@ -79,18 +79,18 @@ class ImagePanel : public QWidget {
   void drawStroke(const QPolygonF& places);
   void endStroke(const QMouseEvent& event);
   [[nodiscard]] QFont smallFont() const;
-  /// None: outside of the picture.
+  /// None if outside of the picture.
   [[nodiscard]] std::optional<QPointF> fractionAt(const QPointF& place) const;
   [[nodiscard]] QRectF band() const;
 
   QString title_;
-  QImage picture_, lit_;
+  QImage picture_, highlight_;
   QStringList tag_;
   std::optional<QPointF> pointer_, pressed_;  ///< widget coordinates
   bool is_band_ = false;
   std::optional<QColor> stroke_color_;
   StrokePath stroke_;
-  bool is_given_up_ = false;  ///< the stroke of this press: the rest of the drag does nothing
+  bool is_cancelled_ = false;  ///< the stroke was cancelled; the rest of the drag does nothing
   std::vector<Marks> marks_;
   bool is_double_click_ = false;
 };
@@ -98,7 +98,7 @@ class ImagePanel : public QWidget {
 /// Text on a dark translucent chip, readable on any picture.
 void paintChip(QPainter& painter, const QPointF& top_left, const QString& text, const QColor& text_color);
 
-/// Of the chip with that text in the painter's font.
+/// Size of the chip with that text in the painter's font.
 [[nodiscard]] QSizeF chipSize(const QPainter& painter, const QString& text);
 
 }  // namespace scantrove

@@ -24,7 +24,7 @@ QRectF movedInto(const QRectF& bounds, QRectF label) {
   return label;
 }
 
-/// Best first.
+/// Possible positions, best first.
 std::vector<QRectF> placesFor(const LabelRequest& request, const QRectF& bounds) {
   const QRectF& box = request.box;
   const double width = request.size.width();
@@ -45,7 +45,7 @@ std::vector<QRectF> placesFor(const LabelRequest& request, const QRectF& bounds)
   std::vector<QRectF> places;
   for (const QPointF& corner : corners) places.push_back(movedInto(bounds, {corner, request.size}));
 
-  // Further away, the nearest first.
+  // Positions further away, nearest first.
   const auto beside = static_cast<std::ptrdiff_t>(places.size());
   for (double y = bounds.top(); y + height <= bounds.bottom(); y += height + kLabelGap) {
     places.push_back(movedInto(bounds, {QPointF(box.left(), y), request.size}));

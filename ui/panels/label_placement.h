@@ -4,16 +4,15 @@
 
 namespace scantrove {
 
-/// A label that is to stand beside its box; all in pixels.
+/// A label to be placed beside its box, in pixels.
 struct LabelRequest {
   QRectF box;
   QSizeF size;  ///< of the label
 };
 
-/// Where each label goes so that none covers another: above its box at the left where that is free, else at
-/// another side of the box, else further down beside it. All stay inside `bounds`. The first of `requests`
-/// chooses first; the same requests give the same places. Where there is no room left, labels overlap as
-/// little as they can.
+/// Places labels inside `bounds` so that they do not overlap: above the box at the left if free, else at
+/// another side of the box, else further away. Earlier requests have priority; equal requests give equal
+/// results. Without free room, overlap is minimised.
 [[nodiscard]] std::vector<QRectF> placeLabels(const std::vector<LabelRequest>& requests,
                                               const QRectF& bounds);
 

@@ -6,7 +6,7 @@ class QLabel;
 
 namespace scantrove {
 
-/// One message at the top of the window that waits to be read and blocks nothing. Hidden while there is none.
+/// A message at the top of the window; does not block it. Hidden while there is none.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -15,7 +15,7 @@ class MessageBar : public QFrame {
 
   explicit MessageBar(QWidget* parent = nullptr);
 
-  /// Shows `text`; a repeated one is counted. An error is not replaced by anything milder.
+  /// Shows `text` and counts repetitions. Only an error replaces an error.
   void show(Kind kind, const QString& text);
   void dismiss();
   [[nodiscard]] QString text() const { return text_; }

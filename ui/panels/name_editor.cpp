@@ -59,7 +59,7 @@ void NameEditor::close() {
 
 void NameEditor::place() {
   const QModelIndex row = model_.indexOf(object_);
-  // Without its row it stays where it was.
+  // Without a row it stays where it is.
   if (row.isValid()) setGeometry(ObjectDelegate::nameRect(list_.visualRect(row)));
 }
 
@@ -71,7 +71,7 @@ void NameEditor::keyPressEvent(QKeyEvent* event) {
   } else {
     QLineEdit::keyPressEvent(event);
   }
-  event->accept();  // none of them is meant for the list
+  event->accept();  // the list must not get these keys
 }
 
 void NameEditor::focusOutEvent(QFocusEvent* event) {

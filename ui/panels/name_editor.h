@@ -10,19 +10,19 @@ namespace scantrove {
 class CatalogueEditor;
 class ObjectListModel;
 
-/// The field in which an object of the list gets another name. It belongs to an object and not to a row: rows
-/// may come, go and change while a person types, and what was typed stays and goes to that object, or to the
-/// one that holds it after a merge. Return and leaving the field store the name, Escape gives it up. A name
-/// that cannot be stored stays in the field, and CatalogueEditor::failed says why.
+/// Field for renaming an object of the list. It belongs to an object, not to a row, so rows may change while
+/// the user types. After a merge it renames the merged object. Return or leaving the field stores the name;
+/// Escape cancels. If a name cannot be stored, it stays in the field and CatalogueEditor::failed gives the
+/// reason.
 class NameEditor : public QLineEdit {
   Q_OBJECT
 
  public:
   NameEditor(QListView& list, CatalogueEditor& editor, ObjectListModel& model);
 
-  /// Not while another name waits that could not be stored; that one gets the focus instead.
+  /// If the name of another object could not be stored, its field gets the focus instead.
   void begin(ObjectId object);
-  /// True when no name waits any more.
+  /// Stores the name. False if it could not be stored.
   bool finish();
   void cancel();
   [[nodiscard]] bool isOpen() const { return bool(object_); }

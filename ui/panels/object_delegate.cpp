@@ -16,9 +16,9 @@ constexpr int kRowHeight = 70;
 constexpr int kMinWidth = 120;
 constexpr int kPicture = 54;
 constexpr int kPadding = 8;
-constexpr int kConfirmedWidth = 26;  ///< of the tick beside the name
+constexpr int kConfirmedWidth = 26;  ///< width of the tick beside the name
 constexpr int kLineGap = 2;
-constexpr int kRing = 22;  ///< of the sides that were seen
+constexpr int kRing = 22;  ///< diameter of the ring of seen sides
 
 QRect pictureRect(const QRect& row) {
   return {row.left() + kPadding + 4, row.top() + (row.height() - kPicture) / 2, kPicture, kPicture};
@@ -65,7 +65,7 @@ void paintTag(QPainter* painter, const QPoint& top_left, const QFont& font, cons
   painter->drawText(chip, Qt::AlignCenter, text);
 }
 
-/// Name, views and size, and in a line of its own whether the object is new or known; centred in `room`.
+/// Paints name, views and size, and below them a tag if the object is new or known; centred in `room`.
 void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem& option,
                 const QModelIndex& index) {
   const ThemeColors& colors = Theme::instance().colors();

@@ -3,8 +3,7 @@
 
 namespace scantrove {
 
-/// Paints one row of the object list: picture, name, size and number of views, and what is known of the
-/// object.
+/// Paints one row of the object list: picture, name, size, number of views and state.
 class ObjectDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -13,7 +12,7 @@ class ObjectDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-  /// Where the name can be edited in a row that is drawn there.
+  /// Rectangle for editing the name in a row with this rectangle.
   [[nodiscard]] static QRect nameRect(const QRect& row);
 };
 

@@ -29,8 +29,8 @@ ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, 
   setMouseTracking(true);
   setAccessibleName(tr("Objects"));
   setObjectName(QStringLiteral("objectList"));
-  connect(&model_, &ObjectListModel::aboutToUpdate, this, &ObjectListView::rememberPlace);
-  connect(&model_, &ObjectListModel::updated, this, &ObjectListView::restorePlace);
+  connect(&model_, &ObjectListModel::aboutToUpdate, this, &ObjectListView::storeScrollPosition);
+  connect(&model_, &ObjectListModel::updated, this, &ObjectListView::restoreScrollPosition);
   connect(&model_, &ObjectListModel::merged, this, &ObjectListView::moveSelection);
   connect(verticalScrollBar(), &QAbstractSlider::valueChanged, this, &ObjectListView::newBelowChanged);
   name_editor_ = new NameEditor(*this, editor, model);
@@ -51,9 +51,9 @@ void ObjectListView::editName(ObjectId object) { name_editor_->begin(object); }
 
 bool ObjectListView::finishEditing() { return name_editor_->finish(); }
 
-bool ObjectListView::isHeld() const { return pressed_ || verticalScrollBar()->isSliderDown(); }
+bool ObjectListView::isPressed() const { return pressed_ || verticalScrollBar()->isSliderDown(); }
 
-bool ObjectListView::isAttended() const {
+bool ObjectListView::isUsed() const {
   return (hasFocus() && selectionModel()->hasSelection()) || name_editor_->isOpen() ||
          viewport()->rect().contains(viewport()->mapFromGlobal(QCursor::pos()));
 }
@@ -63,7 +63,7 @@ int ObjectListView::newBelow() const {
   return last.isValid() ? model_.addedAfter(model_.objectAt(last)) : 0;
 }
 
-void ObjectListView::rememberPlace() {
+void ObjectListView::storeScrollPosition() {
   was_at_end_ = verticalScrollBar()->value() == verticalScrollBar()->maximum();
   visible_rows_.clear();
   const auto add = [this](const QModelIndex& row) {
@@ -77,23 +77,23 @@ void ObjectListView::rememberPlace() {
   }
 }
 
-void ObjectListView::restorePlace() {
+void ObjectListView::restoreScrollPosition() {
   for (const auto& [row, top] : std::exchange(visible_rows_, {})) {
     if (!row.isValid()) continue;
     verticalScrollBar()->setValue(verticalScrollBar()->value() + visualRect(row).top() - top);
     break;
   }
-  if (was_at_end_ && !isAttended()) scrollToBottom();
+  if (was_at_end_ && !isUsed()) scrollToBottom();
   emit newBelowChanged();
 }
 
 void ObjectListView::moveSelection(ObjectId into, ObjectId from) {
-  const QModelIndex gone = model_.indexOf(from);
-  const QModelIndex kept = model_.indexOf(into);
-  if (!kept.isValid() || !selectionModel()->isSelected(gone)) return;
-  const bool is_current = currentIndex() == gone;
-  selectionModel()->select(kept, QItemSelectionModel::Select);
-  if (is_current) selectionModel()->setCurrentIndex(kept, QItemSelectionModel::NoUpdate);
+  const QModelIndex removed_row = model_.indexOf(from);
+  const QModelIndex target_row = model_.indexOf(into);
+  if (!target_row.isValid() || !selectionModel()->isSelected(removed_row)) return;
+  const bool is_current = currentIndex() == removed_row;
+  selectionModel()->select(target_row, QItemSelectionModel::Select);
+  if (is_current) selectionModel()->setCurrentIndex(target_row, QItemSelectionModel::NoUpdate);
 }
 
 bool ObjectListView::viewportEvent(QEvent* event) {

@@ -12,9 +12,9 @@ class CatalogueEditor;
 class NameEditor;
 class ObjectListModel;
 
-/// The list of objects. What arrives while a person works in it changes neither what is selected nor what is
-/// typed, and does not move what the person looks at: a selected object that is merged into another hands its
-/// selection on to that one; the newest rows scroll into view only while nobody's hand is in the list.
+/// The list of objects. Changes of the catalogue keep the selection, the typed name and the scroll position.
+/// If a selected object is merged into another, that one is selected. The list scrolls to new rows only while
+/// the user does not use it.
 class ObjectListView : public QListView {
   Q_OBJECT
 
@@ -25,11 +25,11 @@ class ObjectListView : public QListView {
   [[nodiscard]] std::vector<ObjectId> selection() const;
   void selectNewest();
   void editName(ObjectId object);
-  /// False: a name is being typed that cannot be stored.
+  /// False if the typed name cannot be stored.
   bool finishEditing();
-  /// A mouse button is down in the list: rows should neither come nor go under it.
-  [[nodiscard]] bool isHeld() const;
-  /// Objects of this scan below what is visible.
+  /// A mouse button is down in the list, so rows should not change.
+  [[nodiscard]] bool isPressed() const;
+  /// Number of objects of this scan below the visible rows.
   [[nodiscard]] int newBelow() const;
 
  signals:
@@ -40,14 +40,15 @@ class ObjectListView : public QListView {
   void updateGeometries() override;
 
  private:
-  [[nodiscard]] bool isAttended() const;
-  void rememberPlace();
-  void restorePlace();
+  [[nodiscard]] bool isUsed() const;
+  void storeScrollPosition();
+  void restoreScrollPosition();
   void moveSelection(ObjectId into, ObjectId from);
 
   ObjectListModel& model_;
   NameEditor* name_editor_;
-  std::vector<std::pair<QPersistentModelIndex, int>> visible_rows_;  ///< with their tops, best anchor first
+  std::vector<std::pair<QPersistentModelIndex, int>>
+      visible_rows_;  ///< and their top positions, best anchor first
   bool was_at_end_ = false;
   bool pressed_ = false;
 };

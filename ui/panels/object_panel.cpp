@@ -73,7 +73,7 @@ QWidget* ObjectPanel::makeHead() {
   row->addWidget(count_, 1);
   to_newest_ = new QToolButton;
   QSizePolicy policy = to_newest_->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);  // the list below keeps its place
+  policy.setRetainSizeWhenHidden(true);  // so that the list below does not move
   to_newest_->setSizePolicy(policy);
   to_newest_->setToolTip(tr("Go to the objects of this scan further down"));
   row->addWidget(to_newest_);
@@ -95,7 +95,7 @@ void ObjectPanel::makeActions() {
     action->setToolTip(QStringLiteral("%1 (%2)").arg(help, keys.first().toString(QKeySequence::NativeText)));
     action->setShortcuts(keys);
     action->setAutoRepeat(false);
-    // Only with the focus in the list: Return must end the editing of a name, Del delete a letter.
+    // Only with focus in the list, because Return and Del are also needed for editing names.
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, slot);
     list_->addAction(action);

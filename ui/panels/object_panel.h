@@ -24,7 +24,7 @@ class ObjectPanel : public QWidget {
  public:
   ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidget* parent = nullptr);
 
-  /// What can be done with the selection; with their keys, which work while the list has the focus.
+  /// Actions on the selection. Their keys work while the list has the focus.
   struct Actions {
     QAction* rename;
     QAction* confirm;
@@ -33,14 +33,14 @@ class ObjectPanel : public QWidget {
   };
   [[nodiscard]] const Actions& actions() const { return actions_; }
   [[nodiscard]] ObjectListView* list() const { return list_; }
-  /// The file whose objects are listed, as it is shown above them.
+  /// Label with the file of the catalogue, above the list.
   [[nodiscard]] const ElidedLabel* catalogueLabel() const { return catalogue_; }
   [[nodiscard]] ViewsStrip* viewsStrip() const { return strip_; }
 
   [[nodiscard]] QSize sizeHint() const override { return {290, 640}; }
 
  public slots:
-  /// Enables and words the actions for what is selected now. While a menu is open they stay as it shows them.
+  /// Updates state and texts of the actions for the selection. They do not change while a menu is open.
   void updateActions();
 
  signals:
@@ -57,7 +57,7 @@ class ObjectPanel : public QWidget {
   CatalogueEditor& editor_;
   ObjectListModel& model_;
   Actions actions_{};
-  bool confirms_ = true;  ///< what the action of that name would do; else it takes back
+  bool confirms_ = true;  ///< whether the action confirms; else it unconfirms
   QStackedWidget* pages_;
   ObjectListView* list_;
   QMenu* menu_;

@@ -42,7 +42,7 @@ QString helpOf(const ParamInfo& info) {
 }  // namespace
 
 ParamsPanel::ParamsPanel(const ScanParams& params, QWidget* parent) : QWidget(parent), params_(params) {
-  // All height beyond that is for the list of objects.
+  // Leaves the remaining height to the object list.
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 4, 12, 10);
@@ -69,7 +69,7 @@ ParamsPanel::ParamsPanel(const ScanParams& params, QWidget* parent) : QWidget(pa
   addField(form, "detection.max_distance", tr("Recognition limit"));
   addField(form, "fusion.voxel_size_m", tr("Voxel size *"));
   addField(form, "fusion.max_depth_m", tr("Farthest depth *"));
-  auto* note = new QLabel(tr("* from the next scan on"));
+  auto* note = new QLabel(tr("* applies to the next scan"));
   note->setProperty("muted", true);
   auto* reset = new QPushButton(tr("Defaults"));
   reset->setToolTip(tr("Reset all parameters to their defaults"));
@@ -145,11 +145,11 @@ void ParamsPanel::addField(QFormLayout* form, const std::string& key, const QStr
 QWidget* ParamsPanel::makeField(const ParamInfo& info) {
   auto* number = new QDoubleSpinBox;
   const double value = info.get(params_);
-  const bool whole = info.unit == "frames" || info.unit == "px" || info.unit == "views";
-  const int decimals = whole ? 0 : (value < 0.02 ? 4 : 2);
+  const bool is_integer = info.unit == "frames" || info.unit == "px" || info.unit == "views";
+  const int decimals = is_integer ? 0 : (value < 0.02 ? 4 : 2);
   number->setDecimals(decimals);
   number->setRange(info.minimum, info.maximum);
-  number->setSingleStep(whole ? 1 : (value < 0.02 ? 0.0005 : 0.05));
+  number->setSingleStep(is_integer ? 1 : (value < 0.02 ? 0.0005 : 0.05));
   if (!info.unit.empty()) number->setSuffix(QLatin1Char(' ') + QString::fromStdString(info.unit));
   number->setKeyboardTracking(false);
   connect(number, &QDoubleSpinBox::valueChanged, this, [this, &info](double entered) {

@@ -14,8 +14,7 @@ namespace scantrove {
 
 struct ParamInfo;
 
-/// The parameters a person may want to turn: k, and behind "More" a few others. A change is announced at
-/// once.
+/// Settings: k, and a few other parameters under "More settings". Emits changed() at once.
 class ParamsPanel : public QWidget {
   Q_OBJECT
 
@@ -23,7 +22,7 @@ class ParamsPanel : public QWidget {
   explicit ParamsPanel(const ScanParams& params, QWidget* parent = nullptr);
   [[nodiscard]] const ScanParams& params() const { return params_; }
 
-  /// Takes over a number that is still being typed.
+  /// Applies a number that is still being typed.
   void finishTyping();
 
  signals:
@@ -41,7 +40,7 @@ class ParamsPanel : public QWidget {
   ScanParams params_;
   QSlider* k_slider_ = nullptr;
   QLabel* k_value_ = nullptr;
-  std::vector<std::function<void()>> refreshers_;  ///< show params_ again, each in its field
+  std::vector<std::function<void()>> refreshers_;  ///< each shows params_ in its field
 };
 
 }  // namespace scantrove

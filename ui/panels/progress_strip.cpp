@@ -56,7 +56,7 @@ void ProgressStrip::clear() {
 void ProgressStrip::showState(ScanState state) {
   is_refining_ = state == ScanState::refining;
   skip_->setVisible(is_refining_);
-  if (is_refining_) setCount({});  // of frames
+  if (is_refining_) setCount({});  // clears the frame count
 }
 
 void ProgressStrip::showRefinement(const RefinementStepped& progress) {
@@ -74,8 +74,8 @@ QString ProgressStrip::text() const { return count_->text(); }
 void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
   if (is_refining_) return;
   if (snapshot.frames_total > 0) {
-    // A bar draws itself as soon as it is set, and with it the window that an OpenGL view is part of: some 30
-    // ms. Where it may not, it is drawn with all else that is new.
+    // Setting a bar repaints it and the window with its OpenGL view at once, which takes about 30 ms. With
+    // updates disabled it is painted together with the other changes.
     bar_->setUpdatesEnabled(false);
     bar_->setRange(0, snapshot.frames_total);
     bar_->setValue(snapshot.frames.done());
@@ -94,7 +94,7 @@ void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
 
 void ProgressStrip::setCount(const QString& text) {
   count_->setText(text);
-  // It only grows: nothing beside it moves with every frame.
+  // The width only grows, so that the other widgets do not move with every frame.
   count_->setMinimumWidth(std::max(count_->minimumWidth(), count_->sizeHint().width()));
 }
 

@@ -15,8 +15,8 @@ namespace scantrove {
 
 class ElidedLabel;
 
-/// What is being scanned and how far it is: frames of a recording, elapsed time of a camera, key frames of
-/// the refinement, which can be skipped there.
+/// Source and progress of the scan: frames of a recording, elapsed time of a camera, or key frames of the
+/// refinement with a button to skip it.
 class ProgressStrip : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class ProgressStrip : public QWidget {
   ElidedLabel* title_;
   QProgressBar* bar_;
   QLabel* count_;
-  QToolButton* skip_;  ///< only while there is something to skip
+  QToolButton* skip_;  ///< visible during the refinement only
   bool is_refining_ = false;
   QElapsedTimer since_start_;
 };

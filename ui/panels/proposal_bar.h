@@ -8,13 +8,12 @@ namespace scantrove {
 
 class RegionProposals;
 
-/// Asks, one after the other, whether what looks alike bears the same name. Hidden while there is nothing to
-/// ask.
+/// Shows name suggestions for similar regions, one at a time. Hidden while there are none.
 class ProposalBar : public QFrame {
   Q_OBJECT
 
  public:
-  /// `proposals` outlives this. The actions are the bar's buttons.
+  /// `proposals` outlives the bar. The actions are its buttons.
   ProposalBar(RegionProposals& proposals, QAction* accept, QAction* accept_all, QAction* reject,
               QWidget* parent = nullptr);
   [[nodiscard]] QString text() const;

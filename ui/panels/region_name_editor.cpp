@@ -78,7 +78,7 @@ void RegionNameEditor::cancel() {
 }
 
 bool RegionNameEditor::eventFilter(QObject* watched, QEvent* event) {
-  // While a name is typed, no key means anything else.
+  // While a name is typed, keys are not shortcuts.
   if (event->type() == QEvent::ShortcutOverride) {
     event->accept();
     return true;

@@ -9,22 +9,22 @@ class QStringListModel;
 
 namespace scantrove {
 
-/// A field beside the pointer in which what is selected gets a name: "red cup", or "cup/red cup" with its
-/// category. Offers the names that are known. Return gives the name, Escape gives it up; leaving the field
-/// gives it too, when something was typed. What is typed stays whatever the scan does.
+/// A field beside the pointer for naming the selected regions: "red cup", or "cup/red cup" with a category.
+/// Completes known names. Return or leaving the field with a changed text applies the name; Escape cancels.
+/// Not affected by the running scan.
 class RegionNameEditor : public QFrame {
   Q_OBJECT
 
  public:
   explicit RegionNameEditor(QWidget* parent);
 
-  /// `on_screen`: beside which it opens. `known`: names to offer.
+  /// Opens beside `on_screen`. `known`: names for completion.
   void begin(const QPoint& on_screen, const QString& text, const QStringList& known, const QString& about);
   [[nodiscard]] bool isOpen() const { return isVisible(); }
   [[nodiscard]] QLineEdit* field() const { return field_; }
 
  signals:
-  /// Empty: it has none any more.
+  /// An empty name removes the name.
   void named(const QString& name, const QString& category);
   void closed();
 

@@ -18,7 +18,7 @@ const QColor kStrokeCasing(12, 14, 18, 200);
 
 }  // namespace
 
-QImage litPicture(const cv::Mat& region_ids, RegionId hovered, const std::vector<RegionId>& selected) {
+QImage highlightPicture(const cv::Mat& region_ids, RegionId hovered, const std::vector<RegionId>& selected) {
   if (region_ids.empty() || region_ids.type() != CV_32SC1 || (!hovered && selected.empty())) return {};
   const auto kind = [&](std::int32_t id) {
     if (id <= 0) return 0;
@@ -28,7 +28,7 @@ QImage litPicture(const cv::Mat& region_ids, RegionId hovered, const std::vector
   };
   QImage picture(region_ids.cols, region_ids.rows, QImage::Format_ARGB32);
   bool any = false;
-  std::int32_t last = 0;  // neighbours are mostly the same
+  std::int32_t last = 0;  // neighbouring pixels mostly have the same id
   int last_kind = 0;
   for (int y = 0; y < region_ids.rows; ++y) {
     const auto* row = region_ids.ptr<std::int32_t>(y);
@@ -84,23 +84,23 @@ void paintPointerTag(QPainter& painter, const QPointF& pointer, const QRectF& ro
   painter.restore();
 }
 
-void paintStroke(QPainter& painter, const QPolygonF& places, const QColor& color) {
+void paintStroke(QPainter& painter, const QPolygonF& points, const QColor& color) {
   painter.save();
   painter.setBrush(Qt::NoBrush);
   const auto draw = [&](const QColor& line_color, double width_px) {
     painter.setPen(QPen(line_color, width_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    places.size() == 1 ? painter.drawPoint(places.first()) : painter.drawPolyline(places);
+    points.size() == 1 ? painter.drawPoint(points.first()) : painter.drawPolyline(points);
   };
   draw(kStrokeCasing, kStrokeWidth_px + 3);
   draw(color, kStrokeWidth_px);
   painter.restore();
 }
 
-void paintMarks(QPainter& painter, const QPolygonF& places, const QColor& color) {
+void paintMarks(QPainter& painter, const QPolygonF& points, const QColor& color) {
   painter.save();
   painter.setPen(QPen(kStrokeCasing, 1));
   painter.setBrush(color);
-  for (const QPointF& place : places) painter.drawEllipse(place, kMarkRadius_px, kMarkRadius_px);
+  for (const QPointF& point : points) painter.drawEllipse(point, kMarkRadius_px, kMarkRadius_px);
   painter.restore();
 }
 

@@ -54,8 +54,8 @@ void SavedScansPanel::setScans(const std::vector<SavedScanEntry>& scans) {
   }
   const std::size_t shown = std::min(scans.size(), kMaxSavedScans);
   for (std::size_t i = 0; i < shown; ++i) {
-    const int place = static_cast<int>(i);
-    cards_->addWidget(makeCard(scans[i]), place / kSavedScanColumns, place % kSavedScanColumns);
+    const int index = static_cast<int>(i);
+    cards_->addWidget(makeCard(scans[i]), index / kSavedScanColumns, index % kSavedScanColumns);
   }
   for (int c = 0; c < kSavedScanColumns; ++c) cards_->setColumnStretch(c, 1);
   more_->setText(tr("and %1 more: File > Open scan").arg(scans.size() - shown));
@@ -68,7 +68,7 @@ QWidget* SavedScansPanel::makeCard(const SavedScanEntry& scan) {
   card->setObjectName(QStringLiteral("startCard"));
   card->setAccessibleName(scan.title);
   card->setAccessibleDescription(scan.details);
-  // Nothing is lost where a line is too long for the card.
+  // The tooltip shows the full text of elided lines.
   card->setToolTip(QStringLiteral("<b>%1</b><br>%2<br>%3")
                        .arg(scan.title.toHtmlEscaped(),
                             scan.details.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")),
@@ -101,19 +101,19 @@ QWidget* SavedScansPanel::makeCard(const SavedScanEntry& scan) {
     addLine(details, Qt::ElideRight)->setProperty("muted", true);
   texts->addStretch();
   row->addLayout(texts, 1);
-  // As many lines as there are, in the font that there is.
+  // Height for all lines in the current font.
   card->setFixedHeight(std::max(kScanPicture.height() + 16, row->minimumSize().height()));
   for (QLabel* label : card->findChildren<QLabel*>()) label->setAttribute(Qt::WA_TransparentForMouseEvents);
   connect(card, &QToolButton::clicked, this, [this, folder = scan.folder] { emit chosen(folder); });
   const auto remove = [this, folder = scan.folder] { emit deleteRequested(folder); };
-  // As the card's own action it would make a menu of the button.
+  // An action of the card itself would become its menu.
   auto* key = new QShortcut(QKeySequence(Qt::Key_Delete), card, nullptr, nullptr, Qt::WidgetShortcut);
   connect(key, &QShortcut::activated, this, remove);
   auto* menu = new QMenu(card);
   menu->addAction(icon(QStringLiteral("delete")), tr("&Delete (can be undone)"), this, remove);
   card->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(card, &QWidget::customContextMenuRequested, menu,
-          [card, menu](const QPoint& place) { menu->popup(card->mapToGlobal(place)); });
+          [card, menu](const QPoint& at) { menu->popup(card->mapToGlobal(at)); });
   return card;
 }
 

@@ -8,15 +8,15 @@ class QLabel;
 
 namespace scantrove {
 
-/// A scan that was kept, as it is shown in a list.
+/// A saved scan in the list.
 struct SavedScanEntry {
   QString folder;
-  QString title;    ///< what was scanned
+  QString title;    ///< name of the source
   QString details;  ///< when, frames, objects, size
   QString picture;  ///< an image file; empty: none
 };
 
-/// Scans that were kept, newest first, with pictures: a click opens one. Hidden while there are none.
+/// Cards of the saved scans, newest first; a click opens one. Hidden while there are none.
 class SavedScansPanel : public QWidget {
   Q_OBJECT
 

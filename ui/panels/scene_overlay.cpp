@@ -16,9 +16,9 @@ SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::NoFocus);
 }
 
-void SceneOverlay::setLit(const QImage& lit) {
-  if (lit.isNull() && lit_.isNull()) return;
-  lit_ = lit;
+void SceneOverlay::setHighlight(const QImage& highlight) {
+  if (highlight.isNull() && highlight_.isNull()) return;
+  highlight_ = highlight;
   update();
 }
 
@@ -34,9 +34,9 @@ void SceneOverlay::setBand(const QRectF& band) {
   update();
 }
 
-void SceneOverlay::setStroke(const QPolygonF& places, const QColor& color) {
-  if (places.isEmpty() && stroke_.places.isEmpty()) return;
-  stroke_ = {color, places};
+void SceneOverlay::setStroke(const QPolygonF& points, const QColor& color) {
+  if (points.isEmpty() && stroke_.points.isEmpty()) return;
+  stroke_ = {color, points};
   update();
 }
 
@@ -59,9 +59,9 @@ void SceneOverlay::setSeenSides(const std::optional<SeenSides>& seen, const QStr
   update();
 }
 
-void SceneOverlay::setMark(const std::optional<QPointF>& place, const QString& word) {
-  if (place == mark_ && word == mark_word_) return;
-  mark_ = place;
+void SceneOverlay::setMark(const std::optional<QPointF>& at, const QString& word) {
+  if (at == mark_ && word == mark_word_) return;
+  mark_ = at;
   mark_word_ = word;
   update();
 }
@@ -80,14 +80,14 @@ void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  if (!lit_.isNull()) painter.drawImage(QRectF(rect()), lit_);
+  if (!highlight_.isNull()) painter.drawImage(QRectF(rect()), highlight_);
   if (!band_.isEmpty()) {
     painter.setPen(QPen(QColor(0xff, 0xd0, 0x00), 1, Qt::DashLine));
     painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));
     painter.drawRect(band_);
   }
-  for (const Marks& marks : marks_) paintMarks(painter, marks.places, marks.color);
-  if (!stroke_.places.isEmpty()) paintStroke(painter, stroke_.places, stroke_.color);
+  for (const Marks& marks : marks_) paintMarks(painter, marks.points, marks.color);
+  if (!stroke_.points.isEmpty()) paintStroke(painter, stroke_.points, stroke_.color);
   if (pointer_) paintPointerTag(painter, *pointer_, rect(), tag_);
   if (seen_sides_) paintSeenSides(painter);
   if (mark_) paintChip(painter, *mark_ + QPointF(14, -10), mark_word_, QColor(0xff, 0xb0, 0x20));

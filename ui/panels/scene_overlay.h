@@ -11,36 +11,36 @@
 
 namespace scantrove {
 
-/// Lies over the 3D view and lets the mouse through: what is lit up, the tag beside the pointer, the band or
-/// stroke that is being drawn, what was drawn before, and a hint at the top.
+/// Overlay of the 3D view, transparent to the mouse: highlighted regions, the tag beside the pointer, the
+/// current band or stroke, marks, and a hint at the top.
 class SceneOverlay : public QWidget {
   Q_OBJECT
 
  public:
   explicit SceneOverlay(QWidget* parent);
 
-  void setLit(const QImage& lit);
-  [[nodiscard]] const QImage& lit() const { return lit_; }
-  /// None: the pointer is not in the view.
+  void setHighlight(const QImage& highlight);
+  [[nodiscard]] const QImage& highlight() const { return highlight_; }
+  /// `pointer` is none if it is not in the view.
   void setTag(const std::optional<QPointF>& pointer, const QStringList& tag);
   [[nodiscard]] const QStringList& tag() const { return tag_; }
   void setBand(const QRectF& band);
-  /// Widget coordinates; no places: none.
-  void setStroke(const QPolygonF& places, const QColor& color);
-  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.places; }
-  /// Places, widget coordinates, in one colour each.
+  /// In widget coordinates; empty: no stroke.
+  void setStroke(const QPolygonF& points, const QColor& color);
+  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.points; }
+  /// Marked points in one colour, in widget coordinates.
   struct Marks {
     QColor color;
-    QPolygonF places;
+    QPolygonF points;
   };
   void setMarks(std::vector<Marks> marks);
   [[nodiscard]] const std::vector<Marks>& marks() const { return marks_; }
   void setHint(const QString& hint);
   [[nodiscard]] const QString& hint() const { return hint_; }
-  /// Of what is selected, in the lower left corner, with `words`; none: nothing is.
+  /// Ring of the selection in the lower left corner, with `words`; none: no ring.
   void setSeenSides(const std::optional<SeenSides>& seen, const QString& words);
-  /// A word at a place of the scene; none: no place, or not in the picture.
-  void setMark(const std::optional<QPointF>& place, const QString& word);
+  /// A text at a position of the view; none: no text.
+  void setMark(const std::optional<QPointF>& at, const QString& word);
   [[nodiscard]] const std::optional<QPointF>& mark() const { return mark_; }
 
  protected:
@@ -49,7 +49,7 @@ class SceneOverlay : public QWidget {
  private:
   void paintSeenSides(QPainter& painter) const;
 
-  QImage lit_;
+  QImage highlight_;
   std::optional<QPointF> pointer_;
   QStringList tag_;
   QRectF band_;

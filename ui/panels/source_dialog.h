@@ -10,8 +10,8 @@ class QSpinBox;
 
 namespace scantrove {
 
-/// Opening a recording with what it does not tell of itself: the camera's intrinsics, the unit of its depth,
-/// which part of it, and whether its own poses are to be used.
+/// Dialog for opening a recording with options: intrinsics, depth scale, range of frames, and whether to use
+/// its poses.
 class SourceDialog : public QDialog {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class SourceDialog : public QDialog {
   QDialogButtonBox* buttons_;
 };
 
-/// "fx,fy,cx,cy"; nothing when that is not what the text says.
+/// Parses "fx,fy,cx,cy"; none if the text has another format.
 [[nodiscard]] std::optional<Intrinsics> parseIntrinsics(const QString& text);
 
 }  // namespace scantrove

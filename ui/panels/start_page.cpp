@@ -25,7 +25,7 @@ QLabel* mutedLabel(const QString& text) {
   return label;
 }
 
-/// A large button: picture, what it does, one line about it.
+/// A large button with picture, title and explanation.
 class StartCard : public QToolButton {
  public:
   StartCard(const QString& icon_name, const QString& title, const QString& explanation) {
@@ -107,14 +107,15 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
   auto* cards = new QGridLayout;
   cards->setSpacing(10);
-  const auto add = [&](int row, int place, const char* picture, const QString& title, const QString& text) {
+  const auto add = [&](int row, int column_index, const char* picture, const QString& title,
+                       const QString& text) {
     auto* card = new StartCard(QString::fromLatin1(picture), title, text);
-    cards->addWidget(card, row, place);
+    cards->addWidget(card, row, column_index);
     return card;
   };
-  connect(add(0, 0, "folder", tr("Open a folder…"), tr("7-Scenes, TUM, numbered images")),
+  connect(add(0, 0, "folder", tr("Open folder…"), tr("7-Scenes, TUM, numbered images")),
           &QToolButton::clicked, this, &StartPage::folderRequested);
-  connect(add(0, 1, "recording", tr("Open a recording…"), tr("An OpenNI file (.oni)")), &QToolButton::clicked,
+  connect(add(0, 1, "recording", tr("Open recording…"), tr("An OpenNI file (.oni)")), &QToolButton::clicked,
           this, &StartPage::recordingRequested);
   connect(add(1, 0, "camera", tr("Camera…"), tr("A depth camera on this computer")), &QToolButton::clicked,
           this, &StartPage::cameraRequested);
@@ -124,8 +125,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   cards->setColumnStretch(1, 1);
   layout->addLayout(cards);
 
-  kept_ = new SavedScansPanel;
-  layout->addWidget(kept_);
+  saved_scans_ = new SavedScansPanel;
+  layout->addWidget(saved_scans_);
   recent_box_ = new QWidget;
   auto* recent_column = new QVBoxLayout(recent_box_);
   recent_column->setContentsMargins(0, 14, 0, 0);
@@ -151,13 +152,13 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   centered->addStretch(1);
   centered->addWidget(column, 100);
   centered->addStretch(1);
-  auto* scroll = new QScrollArea;  // a small window stays small
+  auto* scroll = new QScrollArea;  // so that the window can be small
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidgetResizable(true);
   scroll->setWidget(page);
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
+  auto* layout_of_page = new QVBoxLayout(this);
+  layout_of_page->setContentsMargins(0, 0, 0, 0);
+  layout_of_page->addWidget(scroll);
   setRecent({});
 }
 

@@ -8,14 +8,14 @@ namespace scantrove {
 
 class SavedScansPanel;
 
-/// What the window shows before anything is open: what this is, and the ways to begin.
+/// Shown while nothing is open: a description of the program and ways to start.
 class StartPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit StartPage(QWidget* parent = nullptr);
   void setRecent(const QStringList& sources);
-  [[nodiscard]] SavedScansPanel* savedScans() const { return kept_; }
+  [[nodiscard]] SavedScansPanel* savedScans() const { return saved_scans_; }
 
  signals:
   void folderRequested();
@@ -24,12 +24,12 @@ class StartPage : public QWidget {
   void sourceChosen(const QString& source);
 
  private:
-  SavedScansPanel* kept_;
+  SavedScansPanel* saved_scans_;
   QVBoxLayout* recent_;
   QWidget* recent_box_;
 };
 
-/// A source in words: "Demo: tabletop", "kitchen".
+/// Title of a source, for example "Demo: tabletop" or "kitchen".
 [[nodiscard]] QString sourceTitle(const QString& source);
 
 }  // namespace scantrove

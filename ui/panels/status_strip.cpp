@@ -24,7 +24,7 @@ QString trackingInWords(TrackingState state) {
     case TrackingState::lost:
       return StatusStrip::tr("Lost: point the camera at a place that it has seen");
     case TrackingState::relocalized:
-      return StatusStrip::tr("Found again");
+      return StatusStrip::tr("Relocalised");
   }
   return {};
 }
@@ -36,8 +36,8 @@ QString stageTable(const ScanSnapshot& snapshot, double total_ms) {
                 .arg(QString::fromStdString(stage.name).toHtmlEscaped(), QString::number(stage.ms, 'f', 1));
   }
   return StatusStrip::tr(
-             "<b>Time of the last frame, stage by stage</b><table>%1"
-             "<tr><td><b>together</b></td><td align='right'><b>%2 ms</b></td></tr></table>")
+             "<b>Time of the last frame by stage</b><table>%1"
+             "<tr><td><b>total</b></td><td align='right'><b>%2 ms</b></td></tr></table>")
       .arg(rows, QString::number(total_ms, 'f', 1));
 }
 
@@ -87,7 +87,7 @@ StatusStrip::StatusStrip(QWidget* parent)
   map_->setToolTip(tr("Size of the map, and the number of regions in it"));
   losses_->setToolTip(
       tr("Frames not used: camera lost, unreadable, or dropped because the camera was faster"));
-  // The stages give way first when the window is narrow.
+  // In a narrow window the stage times are elided first.
   stages_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->setStretchFactor(stages_, 10);
   for (QLabel* label : {speed_, static_cast<QLabel*>(stages_), map_, losses_})
@@ -176,7 +176,7 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
 }
 
 void StatusStrip::showSpeed(const ScanSnapshot& snapshot) {
-  // Without frames there is none: the last one would stand frozen.
+  // Without frames there is no speed; the last value would be misleading.
   const bool is_ending = state_ == ScanState::finishing || state_ == ScanState::refining;
   if (snapshot.stage_times.empty() || is_ending) return clearSpeed();
   speed_->setText(tr("%1 fps").arg(snapshot.fps, 0, 'f', 1));
@@ -191,7 +191,7 @@ void StatusStrip::showSpeed(const ScanSnapshot& snapshot) {
                                          QString::number(stage.ms, 'f', 0));
   }
   stages_->setFullText(
-      tr("%1 ms a frame:  %2").arg(total_ms, 0, 'f', 0).arg(parts.join(QStringLiteral(" · "))),
+      tr("%1 ms per frame:  %2").arg(total_ms, 0, 'f', 0).arg(parts.join(QStringLiteral(" · "))),
       stageTable(snapshot, total_ms));
 }
 

@@ -9,8 +9,8 @@ namespace scantrove {
 
 class ElidedLabel;
 
-/// One line about the running scan: is the camera tracked, how fast, how large the map, what was lost. The
-/// stage times in full are in its tooltip.
+/// One line about the running scan: tracking state, speed, map size and lost frames. The tooltip has all
+/// stage times.
 class StatusStrip : public QWidget {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class StatusStrip : public QWidget {
   TrackingState tracking_ = TrackingState::lost;
   bool has_pose_ = false;
   bool is_preparing_ = false;
-  QString refinement_;  // how far it is
+  QString refinement_;  // progress text
   QLabel* state_label_;
   QLabel* speed_;
   ElidedLabel* stages_;
@@ -41,7 +41,7 @@ class StatusStrip : public QWidget {
   QLabel* losses_;
 };
 
-/// "scanning", "paused", ... in plain words.
+/// Text of a state, for example "Scanning".
 [[nodiscard]] QString stateInWords(ScanState state);
 
 }  // namespace scantrove

@@ -22,9 +22,9 @@ TimeLine::TimeLine(QWidget* parent)
   slider_->setToolTip(
       tr("Browse the stored frames (Page up, Page down). The labels are those of the map now."));
   slider_->setPageStep(1);
-  connect(slider_, &QSlider::valueChanged, this, [this](int place) {
-    showText(place);
-    emit requested(place);
+  connect(slider_, &QSlider::valueChanged, this, [this](int index) {
+    showText(index);
+    emit requested(index);
   });
   hide();
 }
@@ -38,7 +38,7 @@ void TimeLine::showSnapshot(const ScanSnapshot& snapshot) {
   key_frames_ = snapshot.key_frames;
   const QSignalBlocker quiet(slider_);
   slider_->setMaximum(static_cast<int>(key_frames_->size()) - 1);
-  // While a person goes through them, an older one that arrives does not pull them back.
+  // A late snapshot of an older key frame must not move the slider while the user browses.
   if (is_new && snapshot.shown_key_frame >= 0) slider_->setValue(snapshot.shown_key_frame);
   showText(slider_->value());
   show();
@@ -51,13 +51,13 @@ void TimeLine::clear() {
 
 QString TimeLine::text() const { return text_->text(); }
 
-void TimeLine::step(int places) {
-  if (key_frames_ != nullptr) slider_->setValue(slider_->value() + places);
+void TimeLine::step(int count) {
+  if (key_frames_ != nullptr) slider_->setValue(slider_->value() + count);
 }
 
-void TimeLine::showText(int place) {
+void TimeLine::showText(int index) {
   if (key_frames_ == nullptr) return;
-  const auto at = static_cast<std::size_t>(std::clamp(place, 0, static_cast<int>(key_frames_->size()) - 1));
+  const auto at = static_cast<std::size_t>(std::clamp(index, 0, static_cast<int>(key_frames_->size()) - 1));
   text_->setText(tr("%1 of %2 (frame %3)").arg(at + 1).arg(key_frames_->size()).arg((*key_frames_)[at]));
 }
 

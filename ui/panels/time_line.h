@@ -11,7 +11,7 @@ class QToolButton;
 
 namespace scantrove {
 
-/// The key frames of a scan that has ended, in a row to go through. Hidden while there are none.
+/// Slider for browsing the key frames after a scan. Hidden while there are none.
 class TimeLine : public QWidget {
   Q_OBJECT
 
@@ -23,13 +23,13 @@ class TimeLine : public QWidget {
   [[nodiscard]] QString text() const;
 
  public slots:
-  void step(int places);
+  void step(int count);
 
  signals:
-  void requested(int place);  ///< of ScanSnapshot::key_frames
+  void requested(int index);  ///< index into ScanSnapshot::key_frames
 
  private:
-  void showText(int place);
+  void showText(int index);
 
   QSlider* slider_;
   QLabel* text_;

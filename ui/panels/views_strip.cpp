@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 constexpr int kPictureGap = 6;
-constexpr int kMaxHeight = 84, kMinHeight = 40;  ///< of the pictures: less where the window is low
+constexpr int kMaxHeight = 84, kMinHeight = 40;  ///< of the pictures; smaller in a low window
 constexpr int kMargin = 2;
 constexpr int kKeyStep = 90;
 
@@ -37,7 +37,7 @@ void ViewsStrip::setViews(std::vector<QImage> pictures, const QString& note) {
 void ViewsStrip::updateViews(std::vector<QImage> pictures) {
   const int width_before = contentWidth();
   pictures_ = std::move(pictures);
-  // New views come in at the left.
+  // New views are added at the left.
   scrollTo(offset_ > 0 ? offset_ + contentWidth() - width_before : 0);
 }
 

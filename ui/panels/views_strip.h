@@ -11,12 +11,12 @@ class ViewsStrip : public QWidget {
 
  public:
   explicit ViewsStrip(QWidget* parent = nullptr);
-  /// Of another object than before; where there are none, `note` is shown.
+  /// Shows the views of another object; `note` if it has none.
   void setViews(std::vector<QImage> pictures, const QString& note);
-  /// Of the same object: what is looked at stays in its place.
+  /// Updates the views of the same object and keeps the scroll position.
   void updateViews(std::vector<QImage> pictures);
   [[nodiscard]] std::size_t count() const { return pictures_.size(); }
-  [[nodiscard]] int offset() const { return offset_; }  ///< scrolled that far, in pixels
+  [[nodiscard]] int offset() const { return offset_; }  ///< scroll position in pixels
   [[nodiscard]] QSize sizeHint() const override { return {240, 92}; }
 
  protected:

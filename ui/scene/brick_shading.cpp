@@ -16,15 +16,15 @@ constexpr float kBrickVoxels = 8;
 constexpr float kAmbient = 0.58F;
 constexpr std::size_t kMinPoints = 5;
 constexpr float kMinWeight = 2;
-constexpr float kReach = 0.14F;        ///< of the Gaussian, squared, in bricks
+constexpr float kReach = 0.14F;        ///< squared width of the Gaussian, in bricks
 constexpr float kSameSurface = 0.82F;  ///< cosine of the angle up to which normals are averaged
-constexpr float kSameSide = 0.6F;      ///< the same for those of neighbouring voxels
-/// Heights, as CloudBrick::Point has them. A voxel farther from the surface comes and goes; there is always
-/// another one nearer to it.
-constexpr int kFringe = 51;
-constexpr int kAlikeHeight = 12;
-constexpr int kAlikeColor = 10;          ///< of 255
-constexpr std::size_t kOneInSoMany = 8;  ///< points may be unlike what is shown
+constexpr float kSameSide = 0.6F;      ///< the same for normals of neighbouring voxels
+/// Heights as in CloudBrick::Point. Voxels farther from the surface appear and vanish with noise; there is
+/// always a nearer one.
+constexpr int kFringeHeight = 51;
+constexpr int kSimilarHeight = 12;
+constexpr int kSimilarColor = 10;                ///< of 255
+constexpr std::size_t kPointsPerDifference = 8;  ///< number of points per different one
 
 Eigen::Vector3f cellCenter(std::size_t cell) {
   return {(cell & 1U) != 0 ? 0.75F : 0.25F, (cell & 2U) != 0 ? 0.75F : 0.25F,
@@ -51,7 +51,7 @@ struct Moments {
   }
 };
 
-/// The normal of a cell at (x, y, z) counted in cells from the middle brick's corner, -2 <= x < 4.
+/// Normal of the cell (x, y, z), counted in cells from the middle brick's corner, -2 <= x < 4.
 Eigen::Vector3f normalAt(const Neighborhood& bricks, int x, int y, int z) {
   const auto brick_of = [](int cell) { return static_cast<std::size_t>((cell + 2) / 2); };
   const CellNormals* cells = bricks[brick_of(x) + 3 * brick_of(y) + 9 * brick_of(z)];
@@ -60,19 +60,19 @@ Eigen::Vector3f normalAt(const Neighborhood& bricks, int x, int y, int z) {
   return (*cells)[in_brick(x) + 2 * in_brick(y) + 4 * in_brick(z)];
 }
 
-/// The voxel of a point in its brick: x + 8 y + 64 z. Right for points at voxel centres and at their corners.
+/// The voxel of a point in its brick: x + 8 y + 64 z. Valid for points at voxel centres and corners.
 int voxelOf(const CloudBrick::Point& point, float voxel_size_m) {
   const Eigen::Vector3i voxel = (point.center().array() / voxel_size_m + 0.25F).floor().cast<int>();
   return (voxel.x() & 7) + 8 * ((voxel.y() & 7) + 8 * (voxel.z() & 7));
 }
 
-bool isOnFringe(const CloudBrick::Point& point) { return std::abs(point.height) > kFringe; }
+bool isOnFringe(const CloudBrick::Point& point) { return std::abs(point.height) > kFringeHeight; }
 
-bool isAlike(const CloudBrick::Point& a, const CloudBrick::Point& b) {
-  if (std::abs(a.height - b.height) > kAlikeHeight) return false;
-  if (!b.color.known()) return true;  // it gets its colour from those around it
+bool isSimilar(const CloudBrick::Point& a, const CloudBrick::Point& b) {
+  if (std::abs(a.height - b.height) > kSimilarHeight) return false;
+  if (!b.color.known()) return true;  // its colour is taken from its neighbours
   for (std::size_t c = 0; c < 3; ++c) {
-    if (std::abs(a.color.rgb[c] - b.color.rgb[c]) > kAlikeColor) return false;
+    if (std::abs(a.color.rgb[c] - b.color.rgb[c]) > kSimilarColor) return false;
   }
   return true;
 }
@@ -88,7 +88,7 @@ bool meanNormals(const CloudBrick& brick, float brick_m, CellNormals& normals) {
     for (std::size_t cell = 0; cell < normals.size(); ++cell) {
       const float weight = 1 - (p - cellCenter(cell)).squaredNorm() / (4 * kReach);
       if (weight <= 0) continue;
-      // Of a thin thing the other side counts as this one.
+      // The back of a thin object counts as its front.
       normals[cell] += normals[cell].dot(normal) >= 0 ? Eigen::Vector3f(weight * normal)
                                                       : Eigen::Vector3f(-weight * normal);
     }
@@ -99,7 +99,7 @@ bool meanNormals(const CloudBrick& brick, float brick_m, CellNormals& normals) {
 }  // namespace
 
 float lightOn(const Eigen::Vector3f& normal) {
-  // A key light, and a weaker one from across.
+  // A key light and a weaker fill light.
   static const Eigen::Vector3f key = Eigen::Vector3f(0.45F, -0.80F, -0.40F).normalized();
   static const Eigen::Vector3f fill = Eigen::Vector3f(-0.70F, -0.10F, -0.70F).normalized();
   const float lit = 0.72F * std::abs(normal.dot(key)) + 0.28F * std::abs(normal.dot(fill));
@@ -112,7 +112,7 @@ void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
   if (std::all_of(points.begin(), points.end(), seen) || std::none_of(points.begin(), points.end(), seen)) {
     return;
   }
-  const float near_m = 1.8F * voxel_size_m;  // neighbours across an edge of the voxel, too
+  const float near_m = 1.8F * voxel_size_m;  // includes neighbours across a voxel edge
   for (int step = 0; step < kReach_vox; ++step) {
     const std::vector<CloudBrick::Point> before = points;
     for (CloudBrick::Point& point : points) {
@@ -135,19 +135,19 @@ void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
 std::vector<PackedNormal> smoothNormals(const std::vector<CloudBrick::Point>& points, std::size_t count,
                                         float voxel_size_m) {
   constexpr int kSide = 8;
-  constexpr int kPadded = kSide + 2;  // so that what lies around need not be checked
+  constexpr int kPadded = kSide + 2;  // padded, so that neighbours need no range check
   std::array<Eigen::Vector3f, kPadded * kPadded * kPadded> voxels;
   voxels.fill(Eigen::Vector3f::Zero());
-  const auto place = [voxel_size_m](const CloudBrick::Point& point) {
+  const auto indexOf = [voxel_size_m](const CloudBrick::Point& point) {
     const int voxel = voxelOf(point, voxel_size_m);
     return 1 + voxel % kSide + kPadded * (1 + voxel / kSide % kSide + kPadded * (1 + voxel / kSide / kSide));
   };
   for (const CloudBrick::Point& point : points)
-    voxels[static_cast<std::size_t>(place(point))] = point.normal.unpacked();
+    voxels[static_cast<std::size_t>(indexOf(point))] = point.normal.unpacked();
   std::vector<PackedNormal> smooth;
   smooth.reserve(count);
   for (const CloudBrick::Point& point : std::span(points).first(count)) {
-    const int middle = place(point);
+    const int middle = indexOf(point);
     const Eigen::Vector3f own = voxels[static_cast<std::size_t>(middle)];
     Eigen::Vector3f sum = own;
     for (int dz = -1; dz <= 1; ++dz) {
@@ -170,7 +170,7 @@ CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m) {
   if (brick.points.size() < kMinPoints) return normals;
   if (meanNormals(brick, kBrickVoxels * voxel_size_m, normals)) return normals;
   normals.fill(Eigen::Vector3f::Zero());
-  // In bricks, from the brick's corner: 0..1, which also keeps the sums well conditioned.
+  // Positions 0..1 in the brick keep the sums well conditioned.
   const float brick_m = kBrickVoxels * voxel_size_m;
   std::array<Moments, 8> cells;
   for (const CloudBrick::Point& point : brick.points) {
@@ -228,16 +228,16 @@ bool hasSameAppearance(const std::vector<CloudBrick::Point>& shown, const std::v
     return before[static_cast<std::size_t>(voxel)];
   };
   for (const CloudBrick::Point& point : shown) at(point) = &point;
-  std::size_t others = 0;
+  std::size_t different = 0;
   for (const CloudBrick::Point& point : now) {
-    const CloudBrick::Point*& known = at(point);
-    if (known == nullptr && isOnFringe(point)) continue;
-    if (known == nullptr || known->fragment != point.fragment) return false;
-    if (!isAlike(*known, point)) ++others;
-    known = nullptr;
+    const CloudBrick::Point*& drawn_point = at(point);
+    if (drawn_point == nullptr && isOnFringe(point)) continue;
+    if (drawn_point == nullptr || drawn_point->fragment != point.fragment) return false;
+    if (!isSimilar(*drawn_point, point)) ++different;
+    drawn_point = nullptr;
   }
   const auto is_gone = [](const CloudBrick::Point* point) { return point != nullptr && !isOnFringe(*point); };
-  return kOneInSoMany * others <= now.size() && std::ranges::none_of(before, is_gone);
+  return kPointsPerDifference * different <= now.size() && std::ranges::none_of(before, is_gone);
 }
 
 Eigen::Vector3f mainNormal(const CellNormals& cells) {

@@ -18,23 +18,22 @@
 namespace scantrove {
 namespace {
 
-constexpr float kOwnLight = 0.6F;  ///< share of the light that falls by the point's own normal
+constexpr float kOwnLight = 0.6F;  ///< share of the light from the point's own normal
 
-/// The coarsest level that shows the point. The points of level n are a lattice of every kLevelStride[n]-th
-/// voxel, x + 7 y + 11 z divisible by it: each lies within the finer one, and all lie nearly evenly on
-/// surfaces across any axis.
+/// The coarsest level that draws the point. Level n draws the voxels whose x + 7 y + 11 z is divisible by
+/// kLevelStride[n]. Each level is a subset of the finer ones and nearly even on surfaces of any direction.
 std::size_t coarsestLevel(const CloudBrick::Point& p, float per_meter) {
-  // Right for points at voxel centres and at their corners.
+  // Valid for points at voxel centres and corners.
   const auto voxel = [per_meter](float meters) {
     return static_cast<unsigned>(static_cast<int>(std::floor(meters * per_meter + 0.25F)));
   };
-  const unsigned place = voxel(p.x) + 7 * voxel(p.y) + 11 * voxel(p.z);
+  const unsigned position = voxel(p.x) + 7 * voxel(p.y) + 11 * voxel(p.z);
   std::size_t level = kLevelStride.size() - 1;
-  while (place % kLevelStride[level] != 0) --level;
+  while (position % kLevelStride[level] != 0) --level;
   return level;
 }
 
-/// The points, those of coarser levels first; `count` becomes how many each level shows.
+/// Sorts the points, those of coarser levels first. Sets `count` to the number of points per level.
 std::vector<CloudBrick::Point> inOrderOfLevels(const std::vector<CloudBrick::Point>& points, float per_meter,
                                                LevelCounts& count) {
   std::vector<std::size_t> levels;
@@ -69,7 +68,7 @@ std::vector<FragmentId> fragmentsOf(const std::vector<CloudBrick::Point>& points
   return fragments;
 }
 
-/// Triples.
+/// Copies values as triples.
 template <class Array, class Value>
 void copyInto(const std::vector<Value>& values, Array& array) {
   array.SetNumberOfComponents(3);
@@ -85,7 +84,7 @@ CloudChunk::CloudChunk(vtkRenderer* renderer)
       mapper_(vtkSmartPointer<vtkOpenGLPolyDataMapper>::New()) {
   mapper_->SetScalarModeToUsePointData();
   mapper_->SetColorModeToDirectScalars();
-  // Positions need no normalising: chunks are small and near the origin compared with float precision.
+  // Positions need no normalising: chunks are small, and near the origin compared with float precision.
   mapper_->SetVBOShiftScaleMethod(0);
   actor_->SetMapper(mapper_);
   actor_->GetProperty()->LightingOff();
@@ -105,33 +104,33 @@ CloudBrick::Point CloudChunk::Brick::shown(std::size_t point) const {
 }
 
 std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m) {
-  Brick& mine = bricks_[{brick.position.x(), brick.position.y(), brick.position.z()}];
-  if (mine.version > brick.version) return 0;
+  Brick& stored = bricks_[{brick.position.x(), brick.position.y(), brick.position.z()}];
+  if (stored.version > brick.version) return 0;
   const auto growth =
-      static_cast<std::ptrdiff_t>(brick.points.size()) - static_cast<std::ptrdiff_t>(mine.points.size());
-  mine.version = brick.version;
-  if (hasSameAppearance(mine.points, brick.points, voxel_size_m)) return 0;
-  for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] -= mine.count[level];
-  mine.points = inOrderOfLevels(brick.points, 1 / voxel_size_m, mine.count);
-  mine.fragments = fragmentsOf(mine.points);
-  mine.smooth.clear();
-  spreadColors(mine.points, voxel_size_m);
-  for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] += mine.count[level];
-  // Normals are dear, and a surface that gains no points keeps its shape.
-  const auto shaped = static_cast<std::ptrdiff_t>(mine.points_when_shaped);
+      static_cast<std::ptrdiff_t>(brick.points.size()) - static_cast<std::ptrdiff_t>(stored.points.size());
+  stored.version = brick.version;
+  if (hasSameAppearance(stored.points, brick.points, voxel_size_m)) return 0;
+  for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] -= stored.count[level];
+  stored.points = inOrderOfLevels(brick.points, 1 / voxel_size_m, stored.count);
+  stored.fragments = fragmentsOf(stored.points);
+  stored.smooth.clear();
+  spreadColors(stored.points, voxel_size_m);
+  for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] += stored.count[level];
+  // Normals are expensive, and a surface with an equal number of points keeps its shape.
+  const auto shaped = static_cast<std::ptrdiff_t>(stored.points_when_shaped);
   if (10 * std::abs(static_cast<std::ptrdiff_t>(brick.points.size()) - shaped) > shaped) {
-    mine.points_when_shaped = brick.points.size();
-    mine.normals = cellNormals(brick, voxel_size_m);
-    relightAround({brick.position.x(), brick.position.y(), brick.position.z()});
+    stored.points_when_shaped = brick.points.size();
+    stored.normals = cellNormals(brick, voxel_size_m);
+    resetLightAround({brick.position.x(), brick.position.y(), brick.position.z()});
   }
   for (const CloudBrick::Point& p : brick.points) bounds_.extend(Eigen::Vector3f(p.x, p.y, p.z));
   dirty_ = true;
   urgent_ = urgent_ || brick.by_person;
-  forgetSelected();
+  resetSelected();
   return growth;
 }
 
-void CloudChunk::markIfUses(const std::vector<bool>& changed, bool urgently) {
+void CloudChunk::markDirtyIfUses(const std::vector<bool>& changed, bool urgently) {
   if (dirty_ && (urgent_ || !urgently)) return;
   for (const auto& [key, brick] : bricks_) {
     for (const FragmentId fragment : brick.fragments) {
@@ -164,12 +163,12 @@ void CloudChunk::show(bool visible) {
 
 void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const CloudStyle& style,
                          float voxel_size_m) {
-  const std::size_t most = pointCount(target_level_);
+  const std::size_t max_points = pointCount(target_level_);
   std::vector<float> positions, directions;
   std::vector<unsigned char> rgb;
-  positions.reserve(3 * most);
-  directions.reserve(3 * most);
-  rgb.reserve(3 * most);
+  positions.reserve(3 * max_points);
+  directions.reserve(3 * max_points);
+  rgb.reserve(3 * max_points);
   const float brick_m = 8 * voxel_size_m;
   for (auto& [key, brick] : bricks_) {
     if (brick.count[target_level_] == 0) continue;
@@ -182,11 +181,11 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
       const RegionId region = regionOf(p, region_of_fragment);
       if (style.hides(region)) continue;
       const Eigen::Vector3f normal = p.normal.unpacked();
-      const Eigen::Vector3f place = p.onSurface(voxel_size_m);
-      // The brick's light is smooth, the normal's tells small shapes.
-      float light = lightAt(*brick.light, place / brick_m - corner);
+      const Eigen::Vector3f position = p.onSurface(voxel_size_m);
+      // The brick's light is smooth; the light of the normal shows small shapes.
+      float light = lightAt(*brick.light, position / brick_m - corner);
       if (p.normal.known()) light += kOwnLight * (lightOn(normal) - light);
-      positions.insert(positions.end(), place.data(), place.data() + 3);
+      positions.insert(positions.end(), position.data(), position.data() + 3);
       directions.insert(directions.end(), normal.data(), normal.data() + 3);
       const Rgb color = pointColor(style, p, region, light);
       rgb.insert(rgb.end(), color.begin(), color.end());
@@ -200,7 +199,7 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
   copyInto(directions, *normal_array);
   copyInto(rgb, *color_array);
 
-  // One cell that lists all points.
+  // One cell holds all points.
   const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i) ids->SetValue(i, i);
@@ -224,7 +223,7 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
   urgent_ = false;
 }
 
-void CloudChunk::relightAround(const BrickKey& key) {
+void CloudChunk::resetLightAround(const BrickKey& key) {
   for (int i = 0; i < 27; ++i) {
     const auto found = bricks_.find({key.x + i % 3 - 1, key.y + i / 3 % 3 - 1, key.z + i / 9 - 1});
     if (found != bricks_.end()) found->second.light.reset();
@@ -241,8 +240,8 @@ CellLight CloudChunk::lightOf(const BrickKey& key) const {
 }
 
 CloudChunk::Disc CloudChunk::discOf(std::size_t level, float voxel_size_m) {
-  // A level with every n-th point of a surface needs discs sqrt(n) times as wide to stay closed, and those of
-  // coarser ones are spread less evenly.
+  // A level with every n-th point of a surface needs discs sqrt(n) times as wide to close gaps. Points of
+  // coarser levels are less even.
   const float width = level == 0 ? 1.9F : 2.2F;
   return {width * std::sqrt(static_cast<float>(kLevelStride[level])) * voxel_size_m,
           level == 0 ? 1.6F : 2.0F};
@@ -284,8 +283,8 @@ void CloudChunk::collectNear(const PickRay& ray, const RegionOfFragment& region_
     if (!ray.mayIntersect({corner * brick_m, (corner.array() + 1).matrix() * brick_m})) continue;
     for (std::size_t i = 0; i < brick.points.size(); ++i) {
       const CloudBrick::Point p = brick.shown(i);
-      const Eigen::Vector3f place = p.onSurface(voxel_size_m);
-      const std::optional<PickedPoint> picked = ray.meet(place);
+      const Eigen::Vector3f position = p.onSurface(voxel_size_m);
+      const std::optional<PickedPoint> picked = ray.intersect(position);
       if (picked && !style.hides(regionOf(p, region_of_fragment))) found.push_back(*picked);
     }
   }

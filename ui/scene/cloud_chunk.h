@@ -27,15 +27,15 @@ namespace scantrove {
 
 /// Bricks along the edge of a chunk.
 inline constexpr int kChunkBricks = 16;
-/// Level n draws about every kLevelStride[n]-th point, larger.
+/// Level n draws about every kLevelStride[n]-th point, with larger discs.
 inline constexpr std::array<std::size_t, 5> kLevelStride{1, 2, 4, 16, 64};
-/// How many points each level draws.
+/// Number of points of each level.
 using LevelCounts = std::array<std::size_t, kLevelStride.size()>;
 
-/// Which of its points a picture of fragments has: those that are drawn, or all that there are.
+/// Points used for a picture of fragments: the drawn ones or all.
 enum class IdDetail { drawn, finest };
 
-/// A cube of bricks that is sent to the graphics card as one piece, at one of several levels of detail.
+/// A cube of bricks that is one VTK actor, at one of several levels of detail.
 class CloudChunk {
  public:
   using RegionOfFragment = std::vector<RegionId>;
@@ -45,75 +45,75 @@ class CloudChunk {
   CloudChunk(const CloudChunk&) = delete;
   CloudChunk& operator=(const CloudChunk&) = delete;
 
-  /// Replaces the brick's points unless the stored version is newer, or looks the same. Returns by how many
-  /// the number of points grew.
+  /// Replaces the brick's points unless the stored version is newer or has the same appearance. Returns the
+  /// change of the number of points.
   std::ptrdiff_t setBrick(const CloudBrick& brick, float voxel_size_m);
 
-  /// The chunk must be drawn anew when it holds a fragment for which `changed[fragment]` is true; `urgently`:
-  /// somebody waits for it.
-  void markIfUses(const std::vector<bool>& changed, bool urgently = false);
-  /// Somebody waits for it to be drawn anew.
+  /// Marks the chunk for a rebuild if it holds a fragment with `changed[fragment]`. `urgently`: the user
+  /// waits for it.
+  void markDirtyIfUses(const std::vector<bool>& changed, bool urgently = false);
+  /// Whether the user waits for its rebuild.
   [[nodiscard]] bool urgent() const { return urgent_; }
 
-  /// Whether it has points of a selected region; found when first asked, and again after forgetSelected().
+  /// Whether it has points of a selected region. The result is cached until resetSelected().
   [[nodiscard]] bool hasSelected(const std::set<RegionId>& selected,
                                  const RegionOfFragment& region_of_fragment);
-  void forgetSelected() { has_selected_.reset(); }
+  void resetSelected() { has_selected_.reset(); }
 
   void setLevel(std::size_t level);
   [[nodiscard]] std::size_t level() const { return target_level_; }
   [[nodiscard]] bool dirty() const { return dirty_ || built_level_ != target_level_; }
   [[nodiscard]] bool shown() const { return built_level_ < kLevelStride.size(); }
-  /// In view or not; chunks out of view are neither drawn nor rebuilt.
+  /// Sets whether the chunk is in view; others are neither drawn nor rebuilt.
   void show(bool visible);
   [[nodiscard]] bool inView() const { return in_view_; }
 
   [[nodiscard]] vtkProp* prop() const { return actor_; }
 
-  /// Something that concerns all points is another: it must be drawn anew.
+  /// Marks the chunk for a rebuild.
   void markAll() { dirty_ = true; }
 
-  /// Sends points and colours of the wanted level to VTK.
+  /// Sends points and colours of the chosen level to VTK.
   void rebuild(const RegionOfFragment& region_of_fragment, const CloudStyle& style, float voxel_size_m);
 
-  /// Sets from where the points are seen; their size goes with the level that is shown.
+  /// Sets the view, which with the level determines the size of points.
   void setView(const SplatView& view, SplatOverlap overlap, float voxel_size_m);
 
-  /// Gives the points near the ray that are not hidden, in any order.
+  /// Appends the visible points near the ray, in any order.
   void collectNear(const PickRay& ray, const RegionOfFragment& region_of_fragment, const CloudStyle& style,
                    float voxel_size_m, std::vector<PickedPoint>& found) const;
   /// Extends `box` by the points of these regions.
   void extendByRegions(const std::set<RegionId>& regions, const RegionOfFragment& region_of_fragment,
                        float voxel_size_m, Eigen::AlignedBox3f& box) const;
 
-  /// What is shown of it, into `ids`.
+  /// Draws the visible points into `ids`.
   void addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudStyle& style,
              float voxel_size_m, IdDetail detail) const;
 
   [[nodiscard]] std::size_t pointCount() const { return count_[0]; }
-  /// How many points the level draws.
+  /// Number of points of the level.
   [[nodiscard]] std::size_t pointCount(std::size_t level) const { return count_[level]; }
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
   void collectNormals(std::vector<Eigen::Vector3f>& normals) const;
-  /// Appends the points of each fragment that `of_fragment` has room for.
+  /// Appends the points of each fragment below `of_fragment.size()`.
   void collectPoints(std::vector<std::vector<AppearancePoint>>& of_fragment) const;
   /// Appends one height along `up` for each brick.
   void collectHeights(const Eigen::Vector3f& up, std::vector<float>& heights) const;
 
-  int waiting_rounds = 0;  ///< how often a rebuild was put off
+  int waiting_rounds = 0;  ///< number of postponed rebuilds
 
  private:
   struct Brick {
     std::uint64_t version = 0;
-    std::vector<CloudBrick::Point> points;  ///< those of coarser levels first
-    std::vector<PackedNormal> smooth;       ///< of as many points as were drawn
-    std::vector<FragmentId> fragments;      ///< of the points, each once
+    std::vector<CloudBrick::Point> points;  ///< points of coarser levels first
+    std::vector<PackedNormal> smooth;       ///< of the points drawn so far
+    std::vector<FragmentId> fragments;      ///< of the points, without duplicates
     LevelCounts count{};
     CellNormals normals;
-    std::size_t points_when_shaped = 0;  ///< how many points the normals were found from
-    std::optional<CellLight> light;      ///< none: to be found anew
+    std::size_t points_when_shaped = 0;  ///< number of points when the normals were computed
+    std::optional<CellLight> light;      ///< none: must be computed
 
-    /// With its smooth normal, if it was drawn.
+    /// The point with its smooth normal, if that was computed.
     [[nodiscard]] CloudBrick::Point shown(std::size_t point) const;
   };
   struct BrickKey {
@@ -121,13 +121,13 @@ class CloudChunk {
     auto operator<=>(const BrickKey&) const = default;
   };
 
-  /// How large the points of a level are drawn.
+  /// Size of the points of a level.
   struct Disc {
     float diameter_m, least_px;
   };
   [[nodiscard]] static Disc discOf(std::size_t level, float voxel_size_m);
 
-  void relightAround(const BrickKey& key);
+  void resetLightAround(const BrickKey& key);
   [[nodiscard]] CellLight lightOf(const BrickKey& key) const;
 
   vtkRenderer* renderer_;
@@ -141,7 +141,7 @@ class CloudChunk {
   bool dirty_ = true;
   bool urgent_ = false;
   bool in_view_ = false;
-  std::optional<bool> has_selected_;  // none: to be found anew
+  std::optional<bool> has_selected_;  // none: must be computed
   SplatOverlap overlap_ = SplatOverlap::exact;
 };
 

@@ -12,11 +12,11 @@
 namespace scantrove {
 namespace {
 
-constexpr float kMiddle = 0.4F;          ///< of the view: so far from its centre, in half heights
-constexpr float kMaxVoxelsInMiddle = 3;  ///< edge of the blocks that are bearable there
-constexpr float kSmallBlock_px = 6;      ///< what is as small is none
-constexpr float kMaxOfBudget = 0.6F;     ///< for what is selected; more is drawn as coarsely as the rest
-constexpr std::size_t kUrgentTimes = 2;  ///< the usual budget, for what a person waits for
+constexpr float kMiddleRadius = 0.4F;    ///< radius of the middle of the view, in half heights
+constexpr float kMaxVoxelsInMiddle = 3;  ///< largest block size there, in voxels
+constexpr float kSmallBlock_px = 6;      ///< smaller blocks are not visible
+constexpr float kMaxOfBudget = 0.6F;     ///< for selected regions; larger ones are drawn like the rest
+constexpr std::size_t kUrgentTimes = 2;  ///< factor of the budget for chunks that the user waits for
 
 std::size_t coarsestWithin(float voxels) {
   std::size_t level = 0;
@@ -26,20 +26,20 @@ std::size_t coarsestWithin(float voxels) {
   return level;
 }
 
-/// How far from the middle of the view the nearest part of the box is; half of its height is 1.
+/// Distance of the box from the middle of the view, in half heights of the view.
 float fromMiddle(const SplatView& view, const Eigen::AlignedBox3f& box, int height_px) {
-  const Eigen::Vector3f way = box.center() - view.eye;
-  const float ahead = -way.dot(view.back);
+  const Eigen::Vector3f offset = box.center() - view.eye;
+  const float ahead = -offset.dot(view.back);
   const float radius = 0.5F * box.diagonal().norm();
-  if (ahead <= radius) return way.norm() <= radius ? 0.0F : 1.0F;
-  const float aside = Eigen::Vector2f(way.dot(view.right), way.dot(view.up)).norm();
+  if (ahead <= radius) return offset.norm() <= radius ? 0.0F : 1.0F;
+  const float lateral = Eigen::Vector2f(offset.dot(view.right), offset.dot(view.up)).norm();
   const float half_height = static_cast<float>(height_px) / (2 * view.pixels_per_meter_at_1m);
-  return std::max(0.0F, aside - radius) / (ahead * half_height);
+  return std::max(0.0F, lateral - radius) / (ahead * half_height);
 }
 
 int floorDivide(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/// Planes of the camera's view: positive distance on the inner side of all six.
+/// Whether the box may intersect the view frustum; distances to its planes are positive inside.
 bool mayBeVisible(const std::array<double, 24>& planes, const Eigen::AlignedBox3f& box) {
   for (std::size_t i = 0; i < 6; ++i) {
     const Eigen::Vector3d normal(planes[4 * i], planes[4 * i + 1], planes[4 * i + 2]);
@@ -95,9 +95,9 @@ void CloudChunks::recolor(const std::vector<RegionChange>& changes) {
   }
   if (changed.empty()) return;
   for (auto& [key, chunk] : chunks_) {
-    chunk->forgetSelected();
-    if (!by_person.empty()) chunk->markIfUses(by_person, true);
-    chunk->markIfUses(changed);
+    chunk->resetSelected();
+    if (!by_person.empty()) chunk->markDirtyIfUses(by_person, true);
+    chunk->markDirtyIfUses(changed);
   }
 }
 
@@ -108,9 +108,9 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
 
   struct Candidate {
     CloudChunk* chunk;
-    float spacing_px;      ///< of neighbouring points at the finest level, at the chunk's near side
-    float from_middle;     ///< of the view; half of its height is 1
-    std::size_t coarsest;  ///< that it may be drawn at
+    float spacing_px;      ///< of points of the finest level, at the chunk's near side
+    float from_middle;     ///< distance in half heights of the view
+    std::size_t coarsest;  ///< coarsest level allowed
     bool is_selected;
   };
   const std::size_t fine = coarsestWithin(kMaxVoxelsInMiddle);
@@ -124,27 +124,27 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
         std::max(0.2F, std::sqrt(chunk->bounds().squaredExteriorDistance(view.eye)) + 0.3F);
     const float spacing_px = view.pixels_per_meter_at_1m * voxel_size_m_ / distance;
     const float from_middle = fromMiddle(view, chunk->bounds(), height_px);
-    const bool blocks = from_middle < kMiddle && kMaxVoxelsInMiddle * spacing_px > kSmallBlock_px;
+    const bool blocks = from_middle < kMiddleRadius && kMaxVoxelsInMiddle * spacing_px > kSmallBlock_px;
     const bool is_selected = chunk->hasSelected(selected_, region_of_fragment_);
     selected_points += is_selected ? chunk->pointCount(fine) : 0;
     visible.push_back(
         {chunk.get(), spacing_px, from_middle, blocks ? fine : kLevelStride.size() - 1, is_selected});
   }
 
-  // The smallest gap in pixels between drawn points for which the whole fits the budget. In the middle of the
-  // view, where one looks, half of that; and there no blocks, unless nothing else fits.
-  const bool spares_selected =
+  // Finds the smallest gap in pixels between drawn points that fits the budget. The middle of the view gets
+  // half of that gap and no visible blocks, unless only they fit.
+  const bool draws_selected_finely =
       selected_points <= static_cast<std::size_t>(kMaxOfBudget * static_cast<float>(point_budget));
-  constexpr std::array<float, 9> kTargets_px{1.6F, 2.4F, 3.4F, 4.8F, 7, 10, 16, 1e9F, 2e9F};
-  for (const float target : kTargets_px) {
+  constexpr std::array<float, 9> kGaps_px{1.6F, 2.4F, 3.4F, 4.8F, 7, 10, 16, 1e9F, 2e9F};
+  for (const float gap_px : kGaps_px) {
     drawn_point_count_ = 0;
     for (const Candidate& candidate : visible) {
-      const float bearable = target * (0.5F + 0.5F * std::min(1.0F, candidate.from_middle));
-      std::size_t coarsest = target > 1e9F ? kLevelStride.size() - 1 : candidate.coarsest;
-      if (candidate.is_selected && spares_selected) coarsest = fine;
+      const float max_gap_px = gap_px * (0.5F + 0.5F * std::min(1.0F, candidate.from_middle));
+      std::size_t coarsest = gap_px > 1e9F ? kLevelStride.size() - 1 : candidate.coarsest;
+      if (candidate.is_selected && draws_selected_finely) coarsest = fine;
       std::size_t level = 0;
       while (level < coarsest &&
-             candidate.spacing_px * std::sqrt(static_cast<float>(kLevelStride[level + 1])) <= bearable) {
+             candidate.spacing_px * std::sqrt(static_cast<float>(kLevelStride[level + 1])) <= max_gap_px) {
         ++level;
       }
       candidate.chunk->setLevel(level);
@@ -164,8 +164,7 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
     ++chunk->waiting_rounds;
     dirty.push_back(chunk.get());
   }
-  // Longest waiting first, so that none starves; what was never shown before that; what a person changed
-  // before all.
+  // Order: chunks that the user changed, chunks never shown, then the longest waiting, so that none starves.
   std::sort(dirty.begin(), dirty.end(), [](const CloudChunk* a, const CloudChunk* b) {
     if (a->urgent() != b->urgent()) return a->urgent();
     if (a->shown() != b->shown()) return !a->shown();
@@ -179,8 +178,7 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
     chunk->waiting_rounds = 0;
     spent += chunk->pointCount(chunk->level());
   }
-  if (!dirty.empty())
-    chooseLevels(camera, width_px, height_px, point_budget);  // shows what is new, sized right
+  if (!dirty.empty()) chooseLevels(camera, width_px, height_px, point_budget);  // for the new chunks
   return true;
 }
 
@@ -238,9 +236,9 @@ float CloudChunks::heightAbove(const Eigen::Vector3f& up, float part) const {
   for (const auto& [key, chunk] : chunks_) chunk->collectHeights(up, heights);
   if (heights.empty()) return 0;
   const auto last = static_cast<float>(heights.size() - 1);
-  const auto place = heights.begin() + static_cast<std::ptrdiff_t>(part * last);
-  std::nth_element(heights.begin(), place, heights.end());
-  return *place;
+  const auto quantile = heights.begin() + static_cast<std::ptrdiff_t>(part * last);
+  std::nth_element(heights.begin(), quantile, heights.end());
+  return *quantile;
 }
 
 std::optional<Eigen::Vector3f> CloudChunks::pick(const Eigen::Vector3f& origin,
@@ -269,7 +267,7 @@ void CloudChunks::setColoring(Coloring coloring) {
 void CloudChunks::setSelected(const std::set<RegionId>& regions) {
   if (regions == selected_) return;
   selected_ = regions;
-  for (auto& [key, chunk] : chunks_) chunk->forgetSelected();
+  for (auto& [key, chunk] : chunks_) chunk->resetSelected();
 }
 
 void CloudChunks::setBackground(const std::set<RegionId>& regions, BackgroundStyle style) {
@@ -304,7 +302,7 @@ template <class Changed>
 void CloudChunks::recolorRegions(const Changed& changed) {
   std::vector<bool> fragments(region_of_fragment_.size());
   for (std::size_t i = 0; i < fragments.size(); ++i) fragments[i] = changed(region_of_fragment_[i]);
-  for (auto& [key, chunk] : chunks_) chunk->markIfUses(fragments);
+  for (auto& [key, chunk] : chunks_) chunk->markDirtyIfUses(fragments);
 }
 
 }  // namespace scantrove

@@ -21,9 +21,9 @@ class vtkProp;
 
 namespace scantrove {
 
-/// The label cloud as points in a VTK renderer, grouped into chunks of bricks. Only chunks whose bricks
-/// changed are sent to the graphics card again, and each chunk is drawn at the coarsest level that still
-/// looks closed from where the camera stands. One thread (the one of the OpenGL context).
+/// The label cloud as points in a VTK renderer, grouped into chunks of bricks. Sends only changed chunks to
+/// the graphics card, and draws each chunk at the coarsest level without visible gaps. One thread (that of
+/// the OpenGL context).
 class CloudChunks {
  public:
   explicit CloudChunks(vtkRenderer* renderer);
@@ -33,41 +33,40 @@ class CloudChunks {
 
   void clear();
 
-  /// Edge of a voxel in metres: the distance of neighbouring points, for closing gaps between them.
+  /// Voxel size in metres, which is the distance of neighbouring points.
   void setVoxelSize(float meters) { voxel_size_m_ = meters; }
 
-  /// Takes over the changed bricks (older versions than the stored are ignored) and the fragments that are of
-  /// other regions now; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
+  /// Applies changed bricks (ignores older versions than stored) and changed regions of fragments, and marks
+  /// chunks for a rebuild. Cheap; draws nothing.
   void update(std::span<const CloudBrick> changed, const std::vector<RegionChange>& changed_regions);
 
   void setColoring(Coloring coloring);
-  /// These regions are background, and look like that from now on.
+  /// Sets the background regions and their style.
   void setBackground(const std::set<RegionId>& regions, BackgroundStyle style);
-  /// These regions are selected: as long as they are small, what is drawn of them is never coarser than
-  /// blocks of 3 voxels.
+  /// Sets the selected regions. Unless they are large, they are drawn with blocks of at most 3 voxels.
   void setSelected(const std::set<RegionId>& regions);
-  /// What dimmed regions nearly become.
+  /// Colour that dimmed regions are blended with.
   void setBackdrop(const Rgb& color);
-  /// Up (unit), and between which heights along it the scene's colours by height run.
+  /// Sets up (unit), and the range of heights along it for colours by height.
   void setHeights(const Eigen::Vector3f& up, float low_m, float high_m);
   void setOverlap(SplatOverlap overlap) { overlap_ = overlap; }
   [[nodiscard]] const CloudStyle& style() const { return style_; }
 
-  /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
-  /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed: first, and a
-  /// few times as many, of those that a person changed. Returns true when all chunks in view are up to date.
+  /// Chooses levels of detail so that about `point_budget` points are drawn from `camera` in a viewport of
+  /// this size. Rebuilds about `rebuild_budget` points of changed chunks; chunks that the user changed come
+  /// first, with twice that budget. Returns true when all chunks in view are up to date.
   bool prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
                std::size_t rebuild_budget);
 
-  /// Divides what is drawn into parts of about so many points; which part each actor is of.
+  /// Divides the drawn actors into parts of about `points` points. Result: the part of each actor.
   [[nodiscard]] std::map<vtkProp*, std::size_t> divide(std::size_t points) const;
 
-  /// What is shown, into `ids`, which has begun.
+  /// Draws the visible points into `ids`, after its begin().
   void addTo(CloudIds& ids, IdDetail detail) const;
-  /// None: no such fragment.
+  /// None if there is no such fragment.
   [[nodiscard]] RegionId regionOf(FragmentId fragment) const;
 
-  /// The points of each region that has at least so many.
+  /// The points of each region with at least `least` points.
   [[nodiscard]] std::map<RegionId, std::vector<AppearancePoint>> pointsOfRegions(std::size_t least) const;
 
   [[nodiscard]] std::size_t pointCount() const { return point_count_; }
@@ -76,20 +75,20 @@ class CloudChunks {
   [[nodiscard]] bool upToDate() const;
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
 
-  /// The point of the cloud that a look from `origin` along `direction` meets first: within a point's drawn
-  /// size of the ray, or within a pixel. None where it meets nothing; what is hidden is not there.
+  /// The first visible point along the ray, within a point's drawn size or a pixel of it. None if there is
+  /// none.
   [[nodiscard]] std::optional<Eigen::Vector3f> pick(const Eigen::Vector3f& origin,
                                                     const Eigen::Vector3f& direction,
                                                     float radians_per_pixel) const;
-  /// Empty when there are no points of these regions.
+  /// Bounds of these regions; empty if they have no points.
   [[nodiscard]] Eigen::AlignedBox3f boundsOf(const std::set<RegionId>& regions) const;
 
-  /// Surface normals of the bricks (sign arbitrary), weighted by their number of points: for finding "up".
+  /// Surface normals of the bricks (arbitrary sign), weighted by their number of points, for finding "up".
   [[nodiscard]] std::vector<Eigen::Vector3f> brickNormals() const;
 
-  /// Height along `up` (unit) below which only 2 % of the bricks lie; 0 when there are none.
+  /// Height along `up` (unit) that 2 % of the bricks are below; 0 without bricks.
   [[nodiscard]] float floorHeight(const Eigen::Vector3f& up) const { return heightAbove(up, 0.02F); }
-  /// Height along `up` (unit) below which that part of the bricks lies; 0 when there are none.
+  /// Height along `up` (unit) that this fraction of the bricks is below; 0 without bricks.
   [[nodiscard]] float heightAbove(const Eigen::Vector3f& up, float part) const;
 
  private:
@@ -99,7 +98,7 @@ class CloudChunks {
   };
   void recolor(const std::vector<RegionChange>& changes);
   void recolorAll();
-  /// What is drawn of regions for which `changed(region)`.
+  /// Marks chunks with regions for which `changed(region)` is true.
   template <class Changed>
   void recolorRegions(const Changed& changed);
   void chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget);

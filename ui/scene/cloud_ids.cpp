@@ -12,12 +12,12 @@
 namespace scantrove {
 namespace {
 
-// As in the shaders.
+// The same values as in the shaders.
 constexpr float kLargestPoint_px = 64;
 constexpr float kMinFacing = 0.3F;
 constexpr float kSmall_px = 3.5F;
 
-constexpr float kNear_m = 0.05F;  ///< what is nearer may be seen anywhere
+constexpr float kNear_m = 0.05F;  ///< nearer boxes may be anywhere in the view
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void CloudIds::begin(vtkCamera* camera, int width_px, int height_px, float scale
   scale_ = scale;
   width_ = part.width;
   height_ = part.height;
-  whole_px_ = (scale * Eigen::Vector2i(width_px, height_px).cast<float>()).array().floor().max(1);
+  picture_px_ = (scale * Eigen::Vector2i(width_px, height_px).cast<float>()).array().floor().max(1);
   corner_px_ = Eigen::Vector2i(part.x, part.y).cast<float>();
   view_ = SplatView(camera, height_px);
   nearest_m_ = static_cast<float>(camera->GetClippingRange()[0]);
@@ -58,7 +58,7 @@ void CloudIds::setDisc(float diameter_m, float least_px) {
 
 Eigen::Vector2f CloudIds::pixelOf(const Eigen::Vector4f& clip) const {
   const Eigen::Vector2f fraction(0.5F + 0.5F * clip.x() / clip.w(), 0.5F - 0.5F * clip.y() / clip.w());
-  return fraction.cwiseProduct(whole_px_) - corner_px_;
+  return fraction.cwiseProduct(picture_px_) - corner_px_;
 }
 
 bool CloudIds::maySee(const Eigen::AlignedBox3f& box) const {
@@ -79,8 +79,8 @@ void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& no
   const Eigen::Vector4f clip = clip_world_ * point_world.homogeneous();
   const float distance = clip.w();
   if (distance < nearest_m_) return;
-  const Eigen::Vector2f pixel_place = pixelOf(clip);
-  const float x = pixel_place.x(), y = pixel_place.y();
+  const Eigen::Vector2f pixel_position = pixelOf(clip);
+  const float x = pixel_position.x(), y = pixel_position.y();
   const float drawn_px =
       std::clamp(view_.pixels_per_meter_at_1m * diameter_m_ / distance, least_px_, kLargestPoint_px);
   const float half = 0.5F * scale_ * drawn_px;
@@ -94,7 +94,7 @@ void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& no
   const float right = -normal.dot(view_.right) / facing, down = normal.dot(view_.up) / facing;
   const float end = drawn_px < kSmall_px ? 8.0F : 1.0F;
   const float radius_m = 0.5F * drawn_px * distance / view_.pixels_per_meter_at_1m;
-  // Pixels whose centres it may cover, and the one that it lies in.
+  // Pixels whose centres the disc may cover, and the pixel of its centre.
   const int own_x = static_cast<int>(x), own_y = static_cast<int>(y);
   const int first_x = std::max(0, static_cast<int>(std::ceil(x - half - 0.5F)));
   const int last_x = std::min(width_ - 1, std::max(own_x, static_cast<int>(std::floor(x + half - 0.5F))));
@@ -109,7 +109,7 @@ void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& no
       const bool is_own = u == own_x && v == own_y;
       if (square > end && !is_own) continue;
       const float at = is_own && square > end ? distance : distance - radius_m * (nearer - 0.4F * square);
-      const std::size_t pixel = place(u, v);
+      const std::size_t pixel = indexOf(u, v);
       if (at >= distances_[pixel]) continue;
       distances_[pixel] = at;
       fragments_[pixel] = fragment;
@@ -118,13 +118,12 @@ void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& no
 }
 
 std::optional<Eigen::Vector3f> CloudIds::pointAt(int x, int y) const {
-  const std::size_t pixel = place(x, y);
+  const std::size_t pixel = indexOf(x, y);
   if (!fragments_[pixel]) return std::nullopt;
   const float w = distances_[pixel];
-  // The depth that belongs to this distance: row 2 of a perspective's matrix depends on the distance alone,
-  // and two points of the line of sight tell how.
-  const Eigen::Vector2f in_whole = corner_px_ + Eigen::Vector2i(x, y).cast<float>();
-  const Eigen::Vector2f fraction = (in_whole.array() + 0.5F).matrix().cwiseQuotient(whole_px_);
+  // Interpolates along the line of sight between two points of known distance.
+  const Eigen::Vector2f in_picture = corner_px_ + Eigen::Vector2i(x, y).cast<float>();
+  const Eigen::Vector2f fraction = (in_picture.array() + 0.5F).matrix().cwiseQuotient(picture_px_);
   const Eigen::Vector2f ndc(fraction.x() * 2 - 1, 1 - fraction.y() * 2);
   const auto onRay = [&](float depth) {
     const Eigen::Vector4f world = world_clip_ * Eigen::Vector4f(ndc.x(), ndc.y(), depth, 1);

@@ -12,52 +12,51 @@ class vtkCamera;
 
 namespace scantrove {
 
-/// Which fragment a view of the label cloud shows in each pixel, and how far it is: what is drawn, drawn once
-/// more on the CPU, so that pointing needs no drawing and knows what hides what. May be coarser than the
-/// drawing. One thread.
+/// Fragment and distance of the visible surface in each pixel of a view. Draws the cloud on the CPU with
+/// occlusion, so that pointing needs no OpenGL. May have a lower resolution than the drawing. One thread.
 class CloudIds {
  public:
-  /// A part of the picture, in pixels of it at its scale.
+  /// A part of the picture, in pixels at its scale.
   struct Part {
     int x = 0, y = 0, width = 0, height = 0;
   };
 
   CloudIds();
 
-  /// Nothing is shown yet. `scale`: pixels of this a pixel of the drawing, which is `width_px` x `height_px`.
+  /// Starts an empty picture. `scale`: its size relative to the drawing of `width_px` x `height_px`.
   void begin(vtkCamera* camera, int width_px, int height_px, float scale);
-  /// As above, of a part alone: pixel (0, 0) is the part's first.
+  /// As above for a part; pixel (0, 0) is the part's corner.
   void begin(vtkCamera* camera, int width_px, int height_px, float scale, const Part& part);
 
-  /// Of the points that follow: the diameter of their discs, which have so many pixels at least.
+  /// Sets diameter and minimum size in pixels of the discs of the following points.
   void setDisc(float diameter_m, float least_px);
-  /// False only where no point of the box would show.
+  /// False only if no point of the box can be visible.
   [[nodiscard]] bool maySee(const Eigen::AlignedBox3f& box) const;
-  /// A point as the shaders of splats.cpp draw it. `normal`: unit, or zero where it is not known.
+  /// Draws a point like the shaders of splats.cpp. `normal`: unit, or zero if unknown.
   void add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal, FragmentId fragment);
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  /// Row by row, from the top; none: nothing is there.
+  /// By pixel, row by row from the top; none: no surface.
   [[nodiscard]] const std::vector<FragmentId>& fragments() const { return fragments_; }
-  [[nodiscard]] FragmentId fragmentAt(int x, int y) const { return fragments_[place(x, y)]; }
-  /// The surface there; none: there is none.
+  [[nodiscard]] FragmentId fragmentAt(int x, int y) const { return fragments_[indexOf(x, y)]; }
+  /// Surface point at a pixel; none: no surface.
   [[nodiscard]] std::optional<Eigen::Vector3f> pointAt(int x, int y) const;
 
  private:
-  [[nodiscard]] std::size_t place(int x, int y) const {
+  [[nodiscard]] std::size_t indexOf(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
 
-  /// Where a point of the world lies in the part, pixels; `clip`: its place in clip coordinates.
+  /// Pixel of the part for a point in clip coordinates.
   [[nodiscard]] Eigen::Vector2f pixelOf(const Eigen::Vector4f& clip) const;
 
   int width_ = 0, height_ = 0;
-  Eigen::Vector2f whole_px_ = Eigen::Vector2f::Ones();   // the picture's width and height
-  Eigen::Vector2f corner_px_ = Eigen::Vector2f::Zero();  // where the part begins
+  Eigen::Vector2f picture_px_ = Eigen::Vector2f::Ones();  // the picture's width and height
+  Eigen::Vector2f corner_px_ = Eigen::Vector2f::Zero();   // corner of the part
   float scale_ = 1;
   SplatView view_;
-  float nearest_m_ = 0;  // what is nearer is cut away
+  float nearest_m_ = 0;  // nearer points are clipped
   float diameter_m_ = 0, least_px_ = 1;
   Eigen::Matrix4f clip_world_ = Eigen::Matrix4f::Identity();
   Eigen::Matrix4f world_clip_ = Eigen::Matrix4f::Identity();

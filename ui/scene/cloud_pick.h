@@ -6,23 +6,23 @@
 
 namespace scantrove {
 
-/// A point of the cloud that lies near a ray.
+/// A point of the cloud near a ray.
 struct PickedPoint {
-  Eigen::Vector3f place;
-  float along;   ///< the ray, metres
-  float beside;  ///< it, metres
+  Eigen::Vector3f point;
+  float along;   ///< distance along the ray, metres
+  float beside;  ///< distance from the ray, metres
 };
 
-/// A line of sight, as wide as a point is drawn.
+/// A line of sight with the width of a drawn point.
 class PickRay {
  public:
   /// `direction` of any length; the ray is `radius_m` thick and widens by `radians` with the distance.
   PickRay(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float radius_m, float radians)
       : origin_(origin), direction_(direction.normalized()), radius_m_(radius_m), radians_(radians) {}
 
-  /// None when the point is farther from the ray than that, or behind its origin.
-  [[nodiscard]] std::optional<PickedPoint> meet(const Eigen::Vector3f& point) const;
-  /// False only when no point of the box is met.
+  /// None if the point is outside of the ray's radius or behind its origin.
+  [[nodiscard]] std::optional<PickedPoint> intersect(const Eigen::Vector3f& point) const;
+  /// False only if the ray misses all points of the box.
   [[nodiscard]] bool mayIntersect(const Eigen::AlignedBox3f& box) const;
 
  private:
@@ -30,8 +30,8 @@ class PickRay {
   float radius_m_, radians_;
 };
 
-/// Of what a ray met, the point of the foremost surface that is nearest to the ray. `depth_m`: so far behind
-/// the first point still is the same surface.
+/// The point of the first surface that is nearest to the ray. Points up to `depth_m` behind the first one
+/// belong to the same surface.
 [[nodiscard]] std::optional<Eigen::Vector3f> foremost(const std::vector<PickedPoint>& points, float depth_m);
 
 }  // namespace scantrove

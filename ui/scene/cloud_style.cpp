@@ -8,9 +8,9 @@ namespace scantrove {
 namespace {
 
 constexpr Rgb kUnseen{128, 130, 134};
-constexpr float kMinSceneLight = 0.86F;  ///< the scene's colours have the light of the scene in them
-constexpr float kRegionShare = 0.5F;     ///< of Coloring::blended
-constexpr float kDimmedShare = 0.28F;    ///< what remains of a dimmed colour
+constexpr float kMinSceneLight = 0.86F;  ///< scene colours include the light of the scene
+constexpr float kRegionShare = 0.5F;     ///< share of the region colour in Coloring::blended
+constexpr float kDimmedShare = 0.28F;    ///< share of the colour in a dimmed one
 
 Eigen::Vector3f vectorOf(const Rgb& color) {
   return Eigen::Vector3i(color[0], color[1], color[2]).cast<float>();
@@ -63,18 +63,18 @@ Eigen::Vector3f litColor(const CloudStyle& style, const CloudBrick::Point& point
 Rgb pointColor(const CloudStyle& style, const CloudBrick::Point& point, RegionId region, float light) {
   const Eigen::Vector3f color = litColor(style, point, region, light);
   if (style.background_style != BackgroundStyle::dimmed || !style.isBackground(region)) return rgbOf(color);
-  // Less bright and less of a hue: what lies on it must be what is seen.
+  // Less bright and less saturated, so that objects on the background stand out.
   const Eigen::Vector3f gray = Eigen::Vector3f::Constant(color.dot(Eigen::Vector3f(0.30F, 0.59F, 0.11F)));
   return rgbOf((1 - kDimmedShare) * vectorOf(style.backdrop) + kDimmedShare * (0.5F * color + 0.5F * gray));
 }
 
 Rgb heightColor(float fraction) {
-  // Viridis: even steps for the eye, also for one that tells no red from green.
+  // Viridis: perceptually uniform, also for red-green colour blindness.
   constexpr std::array<Rgb, 6> kStops{
       {{68, 1, 84}, {65, 68, 135}, {42, 120, 142}, {34, 168, 132}, {122, 209, 81}, {253, 231, 37}}};
-  const float place = std::clamp(fraction, 0.0F, 1.0F) * static_cast<float>(kStops.size() - 1);
-  const std::size_t below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
-  const float beyond = place - static_cast<float>(below);
+  const float position = std::clamp(fraction, 0.0F, 1.0F) * static_cast<float>(kStops.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(position), kStops.size() - 2);
+  const float beyond = position - static_cast<float>(below);
   return rgbOf((1 - beyond) * vectorOf(kStops[below]) + beyond * vectorOf(kStops[below + 1]));
 }
 

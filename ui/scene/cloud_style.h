@@ -8,23 +8,23 @@
 
 namespace scantrove {
 
-/// What the points of the cloud show by their colour.
+/// Colour modes of the cloud.
 enum class Coloring { scene, regions, blended, normals, height };
 inline constexpr std::array kColorings{Coloring::scene, Coloring::regions, Coloring::blended,
                                        Coloring::normals, Coloring::height};
 
-/// How regions look that are background.
+/// Styles of background regions.
 enum class BackgroundStyle { as_others, dimmed, hidden };
 
-/// What decides about a point's colour besides the point and its region.
+/// Settings for the colours of points.
 struct CloudStyle {
   Coloring coloring = Coloring::regions;
   BackgroundStyle background_style = BackgroundStyle::as_others;
   std::set<RegionId> background;
-  Rgb backdrop{32, 35, 42};  ///< what is dimmed nearly becomes this
+  Rgb backdrop{32, 35, 42};  ///< colour that dimmed points are blended with
   Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
-  float low_m = 0;   ///< along `up`: what is the lowest colour of Coloring::height
-  float high_m = 2;  ///< and the highest
+  float low_m = 0;   ///< along `up`: lowest colour of Coloring::height
+  float high_m = 2;  ///< along `up`: highest colour
 
   [[nodiscard]] bool isBackground(RegionId region) const { return background.contains(region); }
   [[nodiscard]] bool hides(RegionId region) const {
@@ -32,11 +32,11 @@ struct CloudStyle {
   }
 };
 
-/// The colour of a point of this region where `light` (0..1) falls on it.
+/// Colour of a point of this region under `light` (0..1).
 [[nodiscard]] Rgb pointColor(const CloudStyle& style, const CloudBrick::Point& point, RegionId region,
                              float light);
 
-/// The colour for a height, 0 (lowest) to 1.
+/// Colour of a height from 0 (lowest) to 1.
 [[nodiscard]] Rgb heightColor(float fraction);
 
 }  // namespace scantrove

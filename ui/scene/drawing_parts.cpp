@@ -11,7 +11,7 @@
 
 namespace scantrove {
 
-/// Takes from what the renderer is about to draw what is of other parts.
+/// Removes the props of other parts from the renderer's list.
 class DrawingParts::Culler final : public vtkCuller {
  public:
   static Culler* New() { return new Culler; }

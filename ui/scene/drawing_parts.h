@@ -9,8 +9,8 @@ class vtkRenderer;
 
 namespace scantrove {
 
-/// Lets a renderer draw some of its props now and others later, over what is there already: so that a drawing
-/// that takes long need not be made at once. One thread.
+/// Splits a long drawing into parts: a renderer draws some of its props now and the others later, over the
+/// previous parts. One thread.
 class DrawingParts {
  public:
   explicit DrawingParts(vtkRenderer* renderer);
@@ -18,13 +18,12 @@ class DrawingParts {
   DrawingParts(const DrawingParts&) = delete;
   DrawingParts& operator=(const DrawingParts&) = delete;
 
-  /// From now on each drawing is of one part, the first to begin with. Props that are not in `part_of` are
-  /// drawn with the last one.
+  /// Starts with the first part; each drawing draws one part. Props missing in `part_of` belong to the last
+  /// part.
   void begin(std::map<vtkProp*, std::size_t> part_of, std::size_t parts);
-  /// The next drawing is of the next part. False: that was the last one, and from now on all is drawn at
-  /// once.
+  /// Continues with the next part. False after the last part: drawings draw everything again.
   bool next();
-  /// All is drawn at once again.
+  /// Drawings draw everything again.
   void end();
 
  private:

@@ -12,12 +12,13 @@ class vtkRenderer;
 
 namespace scantrove {
 
-/// A grid of half-metre squares beneath the scene, for a sense of scale and of what is level.
+/// A horizontal grid of half-metre squares below the scene.
 class GroundGrid {
  public:
   explicit GroundGrid(vtkRenderer* renderer);
 
-  /// Lays the grid through `centre` (world, metres), across `up`, at least `radius_m` around.
+  /// Places the grid through `center` (world, metres), perpendicular to `up`, with a radius of at least
+  /// `radius_m`.
   void place(const Eigen::Vector3f& center, const Eigen::Vector3f& up, float radius_m);
   void setColor(const Rgb& color);
   void setVisible(bool visible);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kFirstLevelingPoints = 20'000;
 
-/// Point sizes come from the chunks' vertex shader (see CloudChunk).
+/// The chunks' vertex shader sets point sizes (see CloudChunk).
 void enableProgramPointSize(vtkObject* /*caller*/, unsigned long /*event*/, void* /*client*/,
                             void* /*data*/) {
   glEnable(GL_PROGRAM_POINT_SIZE);
@@ -94,7 +94,7 @@ void LabelCloudScene::updateAllButBricks(const ScanSnapshot& snapshot) {
     viewpoint_.setUp(up_);
   }
   if (following_ && snapshot.pose.usable()) {
-    // From behind and above the sensor's shoulder, at what lies in front of it.
+    // Looks over the sensor's shoulder at the surface in front of it.
     const Eigen::Vector3f center = T_world_camera.translation();
     const Eigen::Vector3f ahead = T_world_camera.linear().col(2);
     const Eigen::Vector3f side = T_world_camera.linear().col(0);
@@ -129,18 +129,18 @@ void LabelCloudScene::fit(const Eigen::AlignedBox3f& box, float aspect) {
   if (box.isEmpty()) return;
   following_ = false;
   viewpoint_.fit(box, aspect);
-  viewpoint_.zoom(1.35F);  // with something around it
+  viewpoint_.zoom(1.35F);  // with a margin
 }
 
 void LabelCloudScene::lookFrom(StandardView from) {
   following_ = false;
   viewpoint_.setUp(up_);
-  // As the sensor looked at first, but level.
+  // The first view direction of the sensor, made horizontal.
   Eigen::Vector3f ahead = R_world_camera_.col(2) - R_world_camera_.col(2).dot(up_) * up_;
   if (ahead.norm() < 0.1F) ahead = -R_world_camera_.col(1) + R_world_camera_.col(1).dot(up_) * up_;
   ahead.normalize();
   const Eigen::Vector3f side = ahead.cross(up_);
-  // From above and below with what is ahead on top; a little aslant, as near to the poles as one may look.
+  // Views from top and bottom are slightly tilted, because the camera cannot look along `up`.
   constexpr float kSlant = 0.05F;
   switch (from) {
     case StandardView::front:
@@ -166,7 +166,7 @@ std::optional<float> LabelCloudScene::clipDistance() const {
 std::optional<Eigen::Vector3f> LabelCloudScene::pick(float x, float y, int width_px, int height_px) const {
   const float aspect = static_cast<float>(width_px) / static_cast<float>(std::max(1, height_px));
   const Eigen::Vector3f direction = viewpoint_.rayAt(x, y, aspect);
-  // A plane across the view is farther away along slanting rays.
+  // The distance of the plane along a ray grows with its angle to the view.
   const float clip_m = clipDistance().value_or(0) / direction.dot(viewpoint_.forward());
   return cloud_.pick(viewpoint_.eye() + clip_m * direction, direction,
                      OrbitCamera::radiansPerPixel(height_px));

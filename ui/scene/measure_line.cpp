@@ -14,24 +14,24 @@ MeasureLine::MeasureLine(vtkRenderer* renderer)
       ends_data_(vtkSmartPointer<vtkPolyData>::New()),
       line_(addOnTop(renderer, line_data_)),
       ends_(addOnTop(renderer, ends_data_)) {
-  // Points have the size that their shader says (see LabelCloudScene).
+  // Point sizes must be set in the shader (see LabelCloudScene).
   ends_->GetShaderProperty()->AddVertexShaderReplacement(
       "//VTK::PositionVC::Impl", true, "//VTK::PositionVC::Impl\n  gl_PointSize = 9.0;\n", false);
   setColor({255, 214, 64});
 }
 
 void MeasureLine::show(const std::vector<Eigen::Vector3f>& points) {
-  const auto places = vtkSmartPointer<vtkPoints>::New();
+  const auto positions = vtkSmartPointer<vtkPoints>::New();
   const auto line = vtkSmartPointer<vtkCellArray>::New();
   const auto ends = vtkSmartPointer<vtkCellArray>::New();
   for (const Eigen::Vector3f& point : points) {
-    const vtkIdType place = places->InsertNextPoint(point.cast<double>().eval().data());
-    ends->InsertNextCell({place});
-    if (place > 0) line->InsertNextCell({place - 1, place});
+    const vtkIdType index = positions->InsertNextPoint(point.cast<double>().eval().data());
+    ends->InsertNextCell({index});
+    if (index > 0) line->InsertNextCell({index - 1, index});
   }
-  line_data_->SetPoints(places);
+  line_data_->SetPoints(positions);
   line_data_->SetLines(line);
-  ends_data_->SetPoints(places);
+  ends_data_->SetPoints(positions);
   ends_data_->SetVerts(ends);
   line_->SetVisibility(points.size() > 1);
   ends_->SetVisibility(!points.empty());

@@ -12,12 +12,12 @@ class vtkRenderer;
 
 namespace scantrove {
 
-/// A line between points on the surface that were measured, seen through everything.
+/// A line between measured surface points, drawn on top of everything.
 class MeasureLine {
  public:
   explicit MeasureLine(vtkRenderer* renderer);
 
-  /// Shows these points, each joined with the next; none: nothing.
+  /// Shows a line through these points; empty: nothing.
   void show(const std::vector<Eigen::Vector3f>& points);
   void setColor(const Rgb& color);
 

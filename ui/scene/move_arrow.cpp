@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kSteps = 32;         // of the arc
 constexpr int kHeadSides = 16;     // of the cone
-constexpr float kHeadPart = 0.1F;  // its length, of the distance to the centre
+constexpr float kHeadPart = 0.1F;  // length of the head, as a fraction of the distance to the centre
 
-/// Points on the way, the first at `from`, the last at `to`; see MoveArrow::show.
+/// Points of the arc from `from` to `to`; see MoveArrow::show.
 std::vector<Eigen::Vector3f> arc(const Eigen::Vector3f& center, const Eigen::Vector3f& up,
                                  const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
   const auto level = [&](const Eigen::Vector3f& v) -> Eigen::Vector3f { return v - v.dot(up) * up; };
@@ -51,27 +51,27 @@ MoveArrow::MoveArrow(vtkRenderer* renderer)
 
 void MoveArrow::show(const Eigen::Vector3f& center, const Eigen::Vector3f& up, const Eigen::Vector3f& from,
                      const Eigen::Vector3f& to) {
-  const std::vector<Eigen::Vector3f> way = arc(center, up, from, to);
+  const std::vector<Eigen::Vector3f> path = arc(center, up, from, to);
   const auto shaft_points = vtkSmartPointer<vtkPoints>::New();
   const auto shaft = vtkSmartPointer<vtkCellArray>::New();
-  shaft->InsertNextCell(static_cast<int>(way.size()));
+  shaft->InsertNextCell(static_cast<int>(path.size()));
   bounds_.setEmpty();
-  for (const Eigen::Vector3f& point : way) {
+  for (const Eigen::Vector3f& point : path) {
     shaft->InsertCellPoint(add(shaft_points, point));
     bounds_.extend(point);
   }
-  const Eigen::Vector3f ahead = (way.back() - way[way.size() - 2]).normalized();
+  const Eigen::Vector3f ahead = (path.back() - path[path.size() - 2]).normalized();
   const float length = kHeadPart * to.norm();
   const auto head_points = vtkSmartPointer<vtkPoints>::New();
   const auto head = vtkSmartPointer<vtkCellArray>::New();
-  const vtkIdType tip = add(head_points, way.back() + length * ahead);
+  const vtkIdType tip = add(head_points, path.back() + length * ahead);
   const Eigen::Vector3f side = ahead.unitOrthogonal();
   for (int i = 0; i < kHeadSides; ++i) {
     const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kHeadSides;
-    add(head_points, way.back() + 0.4F * length * (Eigen::AngleAxisf(angle, ahead) * side));
+    add(head_points, path.back() + 0.4F * length * (Eigen::AngleAxisf(angle, ahead) * side));
     head->InsertNextCell({tip, tip + 1 + i, tip + 1 + (i + 1) % kHeadSides});
   }
-  bounds_.extend(Eigen::Vector3f(way.back() + length * ahead));
+  bounds_.extend(Eigen::Vector3f(path.back() + length * ahead));
   shaft_data_->SetPoints(shaft_points);
   shaft_data_->SetLines(shaft);
   head_data_->SetPoints(head_points);

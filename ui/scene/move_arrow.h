@@ -12,19 +12,18 @@ class vtkRenderer;
 
 namespace scantrove {
 
-/// An arrow around a thing, from where the camera is to where it should look from next, seen through
-/// everything.
+/// An arrow around an object from the camera to its next viewpoint, drawn on top of everything.
 class MoveArrow {
  public:
   explicit MoveArrow(vtkRenderer* renderer);
 
-  /// Level around `up` from the direction `from` to the direction `to` (both from `centre`, of any length,
-  /// neither along `up`), the short way, at a distance that changes from that of `from` to that of `to`.
+  /// Shows the shorter arc around `up` from `center + from` to `center + to`. Its distance changes evenly
+  /// between both lengths. Neither direction may be parallel to `up`.
   void show(const Eigen::Vector3f& center, const Eigen::Vector3f& up, const Eigen::Vector3f& from,
             const Eigen::Vector3f& to);
   void hide();
   void setColor(const Rgb& color);
-  /// Empty while it is hidden.
+  /// Empty while hidden.
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
 
  private:

@@ -16,7 +16,7 @@ vtkSmartPointer<vtkActor> addOnTop(vtkRenderer* renderer, vtkPolyData* data) {
   actor->GetProperty()->SetLineWidth(3);
   actor->PickableOff();
   actor->VisibilityOff();
-  // Nearer than all else, yet in order among themselves.
+  // Depth nearer than everything else, but still ordered among these actors.
   actor->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Depth::Impl", true, "  gl_FragDepth = 0.001 * gl_FragCoord.z;\n", false);
   renderer->AddActor(actor);

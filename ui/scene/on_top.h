@@ -7,7 +7,7 @@ class vtkRenderer;
 
 namespace scantrove {
 
-/// Adds an actor that is seen through everything, unlit, not yet visible.
+/// Adds an unlit, initially hidden actor that is drawn on top of everything.
 [[nodiscard]] vtkSmartPointer<vtkActor> addOnTop(vtkRenderer* renderer, vtkPolyData* data);
 
 }  // namespace scantrove

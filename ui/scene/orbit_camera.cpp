@@ -59,11 +59,11 @@ void OrbitCamera::fit(const Eigen::AlignedBox3f& box, float aspect) {
 }
 
 void OrbitCamera::lookAt(const Eigen::Vector3f& eye, const Eigen::Vector3f& target) {
-  const Eigen::Vector3f way = target - eye;
-  if (!(way.norm() > 1e-4F)) return;
+  const Eigen::Vector3f offset = target - eye;
+  if (!(offset.norm() > 1e-4F)) return;
   target_ = target;
-  distance_ = std::clamp(way.norm(), kMinDistance_m, kMaxDistance_m);
-  forward_ = way.normalized();
+  distance_ = std::clamp(offset.norm(), kMinDistance_m, kMaxDistance_m);
+  forward_ = offset.normalized();
   orbit(0, 0);
 }
 
@@ -78,13 +78,14 @@ Eigen::Vector3f OrbitCamera::rayAt(float x, float y, float aspect) const {
   return (forward_ + half_height * (aspect * x * side + y * side.cross(forward_))).normalized();
 }
 
-std::optional<Eigen::Vector2f> OrbitCamera::placeOf(const Eigen::Vector3f& point, float aspect) const {
-  const Eigen::Vector3f way = point - eye();
-  const float ahead = way.dot(forward_);
+std::optional<Eigen::Vector2f> OrbitCamera::positionOf(const Eigen::Vector3f& point, float aspect) const {
+  const Eigen::Vector3f offset = point - eye();
+  const float ahead = offset.dot(forward_);
   if (ahead < 1e-4F) return std::nullopt;
   const Eigen::Vector3f side = forward_.cross(up_).normalized();
   const float half_height = ahead * std::tan(halfViewAngle());
-  return Eigen::Vector2f(way.dot(side) / (half_height * aspect), way.dot(side.cross(forward_)) / half_height);
+  return Eigen::Vector2f(offset.dot(side) / (half_height * aspect),
+                         offset.dot(side.cross(forward_)) / half_height);
 }
 
 float OrbitCamera::radiansPerPixel(int height_px) {

@@ -7,11 +7,10 @@ class vtkCamera;
 
 namespace scantrove {
 
-/// A viewpoint that circles a target with "up" kept upright. Metres, world frame. Knows nothing of VTK but
-/// how to write itself into a vtkCamera.
+/// A viewpoint that orbits a target with a fixed "up". Metres, world frame. Uses VTK only in applyTo().
 class OrbitCamera {
  public:
-  /// Keeps the present view as well as it can.
+  /// Sets up and changes the view as little as possible.
   void setUp(const Eigen::Vector3f& up);
   [[nodiscard]] const Eigen::Vector3f& up() const { return up_; }
 
@@ -22,13 +21,13 @@ class OrbitCamera {
   /// Multiplies the distance.
   void zoom(float factor);
 
-  /// Turns to look along `direction`, as near to the poles as it goes; the target stays.
+  /// Turns to look along `direction`, limited near the poles; the target stays.
   void lookAlong(const Eigen::Vector3f& direction);
-  /// Looks at all of `box` from the present direction.
+  /// Shows all of `box` from the current direction.
   void fit(const Eigen::AlignedBox3f& box, float aspect);
   /// Looks from `eye` to `target`.
   void lookAt(const Eigen::Vector3f& eye, const Eigen::Vector3f& target);
-  /// Moves a fraction (0..1) of the way from here to that viewpoint.
+  /// Moves by a fraction (0..1) towards that viewpoint.
   void approach(const Eigen::Vector3f& eye, const Eigen::Vector3f& target, float fraction);
 
   [[nodiscard]] Eigen::Vector3f eye() const { return target_ - distance_ * forward_; }
@@ -36,15 +35,15 @@ class OrbitCamera {
   [[nodiscard]] float distance() const { return distance_; }
   [[nodiscard]] const Eigen::Vector3f& forward() const { return forward_; }
 
-  /// The direction (unit) in which a place of the picture lies: x to the right, y up, each -1..1 from edge to
-  /// edge.
+  /// Direction (unit) of the ray through a position of the picture: x to the right, y up, each -1..1 from
+  /// edge to edge.
   [[nodiscard]] Eigen::Vector3f rayAt(float x, float y, float aspect) const;
-  /// Where in the picture a point is seen; none behind the eye.
-  [[nodiscard]] std::optional<Eigen::Vector2f> placeOf(const Eigen::Vector3f& point, float aspect) const;
-  /// Radians between neighbouring pixels in the middle of a picture of that height.
+  /// Position of a point in the picture, as in rayAt(); none behind the eye.
+  [[nodiscard]] std::optional<Eigen::Vector2f> positionOf(const Eigen::Vector3f& point, float aspect) const;
+  /// Angle between neighbouring pixels in the middle of a picture of this height.
   [[nodiscard]] static float radiansPerPixel(int height_px);
 
-  /// Position, focal point, up, and a clipping range that holds `scene`.
+  /// Sets position, focal point, up, and a clipping range that includes `scene`.
   void applyTo(vtkCamera* camera, const Eigen::AlignedBox3f& scene) const;
 
  private:

@@ -70,7 +70,7 @@ void SensorTrack::setPose(const PoseEstimate& pose, const Intrinsics& K) {
        std::array<std::array<float, 2>, 4>{{{0, 0}, {right, 0}, {right, bottom}, {0, bottom}}}) {
     corners.push_back(T_world_camera * K.backProject(u, v, kFrustumDepth_m));
   }
-  // A small roof over the image's upper edge tells up from down.
+  // A small triangle above the image's upper edge marks up.
   corners.push_back(T_world_camera * K.backProject(right * 0.5F, -0.22F * bottom, kFrustumDepth_m));
   bounds_.extend(corners[0]);
 

@@ -16,8 +16,8 @@ class vtkRenderer;
 
 namespace scantrove {
 
-/// Where the sensor is and was: a small pyramid with its field of view, coloured by the tracking state, and
-/// its path.
+/// Sensor and trajectory: a small pyramid for the field of view, coloured by the tracking state, and its
+/// path.
 class SensorTrack {
  public:
   using Trail = std::shared_ptr<const std::vector<Eigen::Vector3f>>;

@@ -13,8 +13,8 @@
 namespace scantrove {
 namespace {
 
-// splat.xy: how much nearer the disc's plane comes, in radii, for a step of one radius to the right and down.
-// splat.z: window depth of a radius. splat.w: square of where the disc ends, in radii.
+// splat.xy: slope of the disc's plane towards the viewer, to the right and down. splat.z: window depth of a
+// radius. splat.w: squared radius of the disc, in radii.
 constexpr const char* kVertexOutputs =
     "//VTK::Normal::Dec\n"
     "in vec3 normalMC;\n"
@@ -25,12 +25,12 @@ constexpr const char* kVertexCode =
     "  gl_PointSize = splat_px;\n"
     "  vec3 to_eye = splat_eye - vertexMC.xyz;\n"
     "  float facing = dot(normalMC, to_eye) / max(1e-6, dot(splat_back, to_eye));\n"
-    // Not narrower than this, or what is seen along the surface would show gaps.
+    // Limits the slope, or surfaces seen at a grazing angle would have gaps.
     "  facing = facing < 0.0 ? min(facing, -0.3) : max(facing, 0.3);\n"
     "  float radius_m = 0.5 * splat_px * gl_Position.w * splat_metre_per_px;\n"
     "  splat = vec4(-dot(normalMC, splat_right) / facing, dot(normalMC, splat_up) / facing,\n"
     "               -splat_depth_factor * radius_m / (gl_Position.w * gl_Position.w),\n"
-    // Of small ones the corners are needed: there are no pixels between.
+    // Small discs need their corners to close gaps.
     "               splat_px < 3.5 ? 8.0 : 1.0);\n";
 constexpr const char* kFragmentInputs =
     "//VTK::Normal::Dec\n"
@@ -61,7 +61,7 @@ void drawAsSplats(vtkActor* actor, SplatOverlap overlap) {
   shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true, kVertexOutputs, false);
   shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, kVertexCode, false);
   shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true, kFragmentInputs, false);
-  // These replace what was given before. Only a shader that writes no depth is quick.
+  // These replace earlier replacements. Shaders that write depth are slow.
   const std::string exact = overlap == SplatOverlap::exact ? kExactDepth : "";
   shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kFragmentCode + exact, false);
 }

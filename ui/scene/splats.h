@@ -6,7 +6,7 @@ class vtkCamera;
 
 namespace scantrove {
 
-/// From where splats are seen, as their shader wants it.
+/// View parameters of the splat shader.
 struct SplatView {
   SplatView() = default;
   SplatView(vtkCamera* camera, int height_px);
@@ -17,17 +17,16 @@ struct SplatView {
   float depth_factor = 0;  ///< window depth of what is `w` in front of the eye: constant - depth_factor / w
 };
 
-/// How discs that overlap share what they cover. `quick`: the one whose centre is nearer to the viewer shows
-/// whole. `exact`: each shows where its centre is the nearest, so that colours meet halfway and the surface
-/// is smooth; takes up to twice the time without a graphics card.
+/// How overlapping discs are drawn. `quick`: the disc with the nearer centre covers the other. `exact`: each
+/// covers the pixels nearest to its centre, which gives a smooth surface but takes up to twice the time
+/// without a graphics card.
 enum class SplatOverlap { quick, exact };
 
-/// Makes an actor draw its points (which have normals) as discs that lie in the surface: round from the
-/// front, narrow from aside. Without normal: a disc towards the viewer. Costs something when it is another
-/// than before.
+/// Makes an actor draw its points as discs in the surface plane of their normals, or facing the viewer
+/// without a normal. Changing `overlap` compiles a shader.
 void drawAsSplats(vtkActor* actor, SplatOverlap overlap);
 
-/// Edge of a disc in metres, and the pixels that it has at least.
+/// Sets the diameter of discs in metres and their minimum size in pixels.
 void setSplats(vtkActor* actor, const SplatView& view, float diameter_m, float least_px);
 
 }  // namespace scantrove

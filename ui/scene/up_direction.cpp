@@ -8,8 +8,8 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kMinNormals = 60;
-// How a sensor is held. A wall ahead of one that looks down would need it to look up: so the two are told
-// apart.
+// Range of orientations of a hand-held sensor. It excludes the walls, whose normals would need a sensor that
+// looks up.
 constexpr int kMaxUpward_deg = -4;
 constexpr int kMaxDownward_deg = 74;
 constexpr int kMaxRoll_deg = 24;
@@ -34,8 +34,7 @@ Vote votesNear(const std::vector<Eigen::Vector3f>& normals, const Eigen::Vector3
   return vote;
 }
 
-/// Up as seen by a sensor that looks `pitch` below the horizon and is rolled by `roll`, in the camera's
-/// frame.
+/// Up in camera coordinates for a sensor that looks `pitch` below the horizon and is rolled by `roll`.
 Eigen::Vector3f upOf(float pitch, float roll) {
   return {std::sin(roll), -std::cos(roll) * std::cos(pitch), -std::cos(roll) * std::sin(pitch)};
 }

@@ -8,13 +8,13 @@
 #include <QPixmap>
 #include <QSvgRenderer>
 
-// Outside the namespace: the macro declares a function of the global one.
+// Outside of the namespace, because the macro declares a global function.
 static void initializeScantroveResources() { Q_INIT_RESOURCE(scantrove); }
 
 namespace scantrove {
 namespace {
 
-/// The drawings use black for what takes the text's colour.
+/// Draws an SVG with black replaced by the text colour.
 class ThemedIconEngine final : public QIconEngine {
  public:
   ThemedIconEngine(QByteArray svg, const QColor& color) : svg_(std::move(svg)), color_(color) {}

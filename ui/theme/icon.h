@@ -5,11 +5,11 @@
 
 namespace scantrove {
 
-/// The icon resources/icons/<name>.svg, drawn in the palette's text colour of the moment (so it follows the
-/// theme), or in `color` where one is given.
+/// The icon resources/icons/<name>.svg in `color`, or if none is given in the palette's current text colour,
+/// which follows the theme.
 [[nodiscard]] QIcon icon(const QString& name, const QColor& color = {});
 
-/// Makes the icons available; once, before the first use.
+/// Makes the icons available. Call once before the first use.
 void initializeResources();
 
 }  // namespace scantrove

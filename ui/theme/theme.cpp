@@ -141,12 +141,12 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 }  // namespace
 
 Theme& Theme::instance() {
-  static auto* theme = new Theme;  // lives as long as the process: widgets may ask for colours while they go
+  static auto* theme = new Theme;  // never deleted: widgets may use colours in their destructors
   return *theme;
 }
 
 Theme::Theme() : colors_(darkColors()) {
-  // Asked before our own palette hides the desktop's.
+  // Read before our palette replaces the desktop's.
   system_is_dark_ = QApplication::palette().color(QPalette::Window).lightness() < 128;
 }
 

@@ -7,7 +7,7 @@
 
 namespace scantrove {
 
-/// What the person chose; `system` follows the desktop.
+/// The user's choice; `system` follows the desktop.
 enum class ThemeChoice { system, light, dark };
 
 /// Colours that a QPalette has no role for.
@@ -21,7 +21,7 @@ struct ThemeColors {
   Rgb scene_top{}, scene_bottom{}, scene_grid{}, scene_trail{};
 };
 
-/// The application's looks: Fusion with our palette, dark or light.
+/// The application's style: Fusion with our dark or light palette.
 class Theme : public QObject {
   Q_OBJECT
 

@@ -6,7 +6,7 @@ namespace scantrove {
 class SceneView;
 class ViewLabel;
 
-/// Looks inside: while on, the view leaves out what is nearer than a plane, which Ctrl + wheel or Ctrl + up
+/// Clip plane: while active, the view hides everything in front of a plane, which Ctrl + wheel or Ctrl + up
 /// and down move.
 class ClipTool : public QObject {
   Q_OBJECT
@@ -21,7 +21,7 @@ class ClipTool : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// By so many steps, away from the viewer.
+  /// Moves the plane by `steps` away from the viewer.
   void move(float steps);
   void showLabel();
 

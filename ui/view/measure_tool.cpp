@@ -9,7 +9,7 @@
 
 namespace scantrove {
 namespace {
-constexpr double kDrag_px = 4;  ///< farther than that a press is no click
+constexpr double kDrag_px = 4;  ///< a longer move is a drag
 }
 
 MeasureTool::MeasureTool(SceneView* view)
@@ -17,7 +17,7 @@ MeasureTool::MeasureTool(SceneView* view)
   length_label_->setObjectName(QStringLiteral("measuredLength"));
   view->installEventFilter(this);
   connect(view, &SceneView::drawn, this, &MeasureTool::placeLabels, Qt::QueuedConnection);
-  connect(view, &SceneView::cleared, this, &MeasureTool::forget);
+  connect(view, &SceneView::cleared, this, &MeasureTool::clear);
 }
 
 void MeasureTool::setActive(bool active) {
@@ -28,10 +28,10 @@ void MeasureTool::setActive(bool active) {
     view_->setMouseTracking(true);
     view_->setFocus(Qt::OtherFocusReason);
   }
-  forget();
+  clear();
 }
 
-void MeasureTool::forget() {
+void MeasureTool::clear() {
   ends_.clear();
   under_mouse_.reset();
   pressed_at_.reset();
@@ -53,7 +53,7 @@ bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
   if (!active_) return QObject::eventFilter(watched, event);
   switch (event->type()) {
     case QEvent::ShortcutOverride:
-      // Escape is ours, whatever else it is a shortcut of.
+      // Escape ends the tool, even if it is also a shortcut.
       if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) return false;
       event->accept();
       return true;
@@ -68,7 +68,7 @@ bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
       return release(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonDblClick:
       press(*static_cast<QMouseEvent*>(event));
-      return true;  // shows nothing else
+      return true;  // the view must not handle it
     case QEvent::MouseMove:
       if (static_cast<QMouseEvent*>(event)->buttons() == Qt::NoButton)
         hover(static_cast<QMouseEvent*>(event)->position());
@@ -85,9 +85,9 @@ bool MeasureTool::press(const QMouseEvent& event) {
 
 bool MeasureTool::release(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || !pressed_at_) return false;
-  const QPointF way = event.position() - *pressed_at_;
+  const QPointF distance = event.position() - *pressed_at_;
   pressed_at_.reset();
-  if (way.manhattanLength() > kDrag_px) return false;
+  if (distance.manhattanLength() > kDrag_px) return false;
   if (const std::optional<Eigen::Vector3f> end = surfaceAt(event.position())) {
     if (ends_.size() > 1) ends_.clear();
     ends_.push_back(*end);
@@ -126,7 +126,7 @@ void MeasureTool::placeLabels() {
   if (under_mouse_) line.push_back(*under_mouse_);
   const float aspect = static_cast<float>(view_->width()) / static_cast<float>(std::max(1, view_->height()));
   std::optional<Eigen::Vector2f> place;
-  if (line.size() > 1) place = view_->scene().viewpoint().placeOf((line[0] + line[1]) / 2, aspect);
+  if (line.size() > 1) place = view_->scene().viewpoint().positionOf((line[0] + line[1]) / 2, aspect);
   if (!place || place->cwiseAbs().maxCoeff() > 1) return length_label_->hide();
   const QPointF middle((1 + static_cast<double>(place->x())) * view_->width() / 2,
                        (1 - static_cast<double>(place->y())) * view_->height() / 2);

@@ -12,8 +12,8 @@ namespace scantrove {
 class SceneView;
 class ViewLabel;
 
-/// Measures: while on, a click on the surface sets one end of a line, the next the other, and a third begins
-/// anew. The length stands beside the line. Drags turn the view as ever; Escape ends it.
+/// Measuring tool: while active, two clicks on the surface set the ends of a line, and a third click starts a
+/// new one. Shows the length beside the line. Drags still turn the view; Escape ends the tool.
 class MeasureTool : public QObject {
   Q_OBJECT
 
@@ -22,10 +22,10 @@ class MeasureTool : public QObject {
 
   void setActive(bool active);
   [[nodiscard]] bool active() const { return active_; }
-  /// Of the line that is shown; none before its second end is.
+  /// Length of the line in metres; none before its second end is set.
   [[nodiscard]] std::optional<float> length() const;
 
-  /// As a person reads it: centimetres below a metre.
+  /// Length as text, in centimetres below a metre.
   [[nodiscard]] static QString lengthText(float meters);
 
  signals:
@@ -38,7 +38,7 @@ class MeasureTool : public QObject {
   bool press(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
   void hover(const QPointF& at);
-  void forget();
+  void clear();
   void showLine();
   void placeLabels();
   [[nodiscard]] std::optional<Eigen::Vector3f> surfaceAt(const QPointF& at) const;

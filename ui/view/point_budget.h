@@ -4,31 +4,32 @@
 
 namespace scantrove {
 
-/// How many points to draw so that one drawing takes about `target_ms`, learnt from the drawings before.
-/// Never fewer than `fewest`: below that a drawing hardly gets cheaper (clearing and copying the picture
-/// remain) and shapes dissolve; what is too slow even then must be drawn less often. Never more than `most`:
-/// points that others hide are quick, and say nothing about those that are seen.
+/// Number of points so that a drawing takes about `target_ms`, adjusted after each drawing. At least
+/// `min_points`: fewer hardly save time (the picture must still be cleared and copied) and shapes become
+/// unrecognisable, so slow scenes are drawn less often instead. At max_points `max_points`: hidden points are
+/// fast to draw and would raise the budget too far.
 class PointBudget {
  public:
   static constexpr double kMax = 4e6;
 
-  PointBudget(double target_ms, double fewest, double first, double most = kMax)
-      : target_ms_(target_ms), fewest_(fewest), most_(most), points_(first) {}
+  PointBudget(double target_ms, double min_points, double first, double max_points = kMax)
+      : target_ms_(target_ms), min_points_(min_points), max_points_(max_points), points_(first) {}
 
   [[nodiscard]] std::size_t points() const { return static_cast<std::size_t>(points_); }
 
-  /// Drawing `drawn` points took `ms`.
-  void learn(std::size_t drawn, double ms) {
-    // A small scene is drawn quickly and says nothing about a large one.
+  /// Adjusts the budget: drawing `drawn` points took `ms`.
+  void update(std::size_t drawn, double ms) {
+    // A fast drawing of a small scene must not raise the budget.
     const bool full = 2 * static_cast<double>(drawn) > points_;
     if (!full && ms < target_ms_) return;
-    points_ = std::clamp(points_ * std::clamp(target_ms_ / std::max(ms, 0.1), 0.7, 1.4), fewest_, most_);
+    points_ =
+        std::clamp(points_ * std::clamp(target_ms_ / std::max(ms, 0.1), 0.7, 1.4), min_points_, max_points_);
   }
 
  private:
   double target_ms_;
-  double fewest_;
-  double most_;
+  double min_points_;
+  double max_points_;
   double points_;
 };
 

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// What VTK needs.
+/// The OpenGL that VTK needs.
 QSurfaceFormat surfaceFormat() {
   QSurfaceFormat format;
   format.setRenderableType(QSurfaceFormat::OpenGL);
@@ -47,7 +47,7 @@ QtRenderWindow::QtRenderWindow(vtkRenderer* renderer) {
   observe(vtkCommand::WindowIsCurrentEvent, onIsCurrent);
   window_->AddRenderer(renderer);
   window_->OpenGLInitContext();
-  draw({16, 16});  // the first one takes far longer than those that a person waits for
+  draw({16, 16});  // the first drawing is slow, so it is done before the user waits for one
 }
 
 QtRenderWindow::~QtRenderWindow() {

@@ -9,9 +9,9 @@
 
 namespace scantrove {
 
-/// VTK's render window in an OpenGL context of its own that no widget shows: what it draws is read back as a
-/// picture. So the window around it needs no OpenGL; where a processor draws, having it put the window
-/// together would take as long as the scene.
+/// VTK's render window in its own offscreen OpenGL context; drawings are read back as pictures. The main
+/// window thus needs no OpenGL: with software rendering, composing it would take as long as drawing the
+/// scene.
 class QtRenderWindow {
  public:
   explicit QtRenderWindow(vtkRenderer* renderer);
@@ -19,13 +19,13 @@ class QtRenderWindow {
   QtRenderWindow(const QtRenderWindow&) = delete;
   QtRenderWindow& operator=(const QtRenderWindow&) = delete;
 
-  /// False: this machine has not the OpenGL that VTK needs; nothing can be drawn.
+  /// False if the display lacks the OpenGL that VTK needs; nothing is drawn then.
   [[nodiscard]] bool works() const { return window_ != nullptr; }
-  /// Before anything that OpenGL objects hang on is freed. Draws do it by themselves.
+  /// Call before objects that own OpenGL resources are destroyed. draw() does it itself.
   void makeCurrent();
-  /// Draws the scene, so many pixels of it, into VTK's framebuffer.
+  /// Draws the scene at this size into VTK's framebuffer.
   void draw(const QSize& pixels);
-  /// What was drawn last, of that size.
+  /// The last drawing, which had this size.
   [[nodiscard]] QImage picture(const QSize& pixels);
 
  private:

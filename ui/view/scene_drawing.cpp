@@ -13,12 +13,12 @@ namespace {
 constexpr int kSettle_ms = 350;
 constexpr double kTimeShareWhileScanning = 0.15;
 constexpr double kTimeShareWhileArriving = 0.4;
-constexpr int kShortestInterval_ms = 150;  ///< while something comes in
+constexpr int kShortestInterval_ms = 150;  ///< while data arrives
 constexpr int kLongestInterval_ms = 2000;
 constexpr int kPointing_ms = 150;
 constexpr std::size_t kRebuildAtATimePoints = 150'000;
-constexpr std::size_t kRebuildInAStepPoints = 50'000;  ///< where steps may follow at once
-constexpr int kMaxSteps = 3;                           ///< before a picture of what comes in
+constexpr std::size_t kRebuildInAStepPoints = 50'000;  ///< if further steps can follow at once
+constexpr int kMaxSteps = 3;                           ///< before a picture of arriving data
 constexpr std::size_t kRebuildAllPoints = 10'000'000;
 
 double millisecondsOf(const QElapsedTimer& timer) { return static_cast<double>(timer.nsecsElapsed()) * 1e-6; }
@@ -53,13 +53,13 @@ void SceneDrawing::setScanning(bool scanning) {
   schedule();
 }
 
-void SceneDrawing::drawAwaited() {
-  is_awaited_ = true;
+void SceneDrawing::drawUserEdit() {
+  has_user_edit_ = true;
   draw_timer_.start(0);
 }
 
 void SceneDrawing::redrawResized() {
-  // Quickly, until it has the size that it is to have.
+  // Draws quickly until the size is final.
   resizing_ = true;
   redraw(true);
 }
@@ -72,7 +72,7 @@ void SceneDrawing::redraw(bool moving) {
 }
 
 void SceneDrawing::schedule() {
-  if (in_parts_ == InParts::still) in_parts_ = InParts::none;  // it is of something that is no more
+  if (in_parts_ == InParts::still) in_parts_ = InParts::none;  // the scene has changed
   if (draw_timer_.isActive()) return;
   int wait_ms = 0;
   if (!moving_ && (scanning_ || !arrivals_.isEmpty())) {
@@ -85,28 +85,28 @@ void SceneDrawing::schedule() {
 }
 
 void SceneDrawing::drawUnlessPointing() {
-  // A drawing holds the window up: not between two steps of the pointer, who wants to see what it points at.
-  const bool is_pointing = scanning_ && !moving_ && !is_awaited_ && since_pointed_.isValid() &&
+  // Drawing blocks the window, so it must not delay the response to the moving pointer.
+  const bool is_pointing = scanning_ && !moving_ && !has_user_edit_ && since_pointed_.isValid() &&
                            since_pointed_.elapsed() < kPointing_ms &&
                            since_draw_.elapsed() < kLongestInterval_ms;
   if (is_pointing) {
     draw_timer_.start(kPointing_ms);
     return;
   }
-  is_awaited_ = false;
-  if (!hurries() || moving_) is_prepared_ = false;
-  if (!hurries() && view_.isVisible()) return drawStill();
+  has_user_edit_ = false;
+  if (!drawsQuickly() || moving_) is_prepared_ = false;
+  if (!drawsQuickly() && view_.isVisible()) return drawStill();
   if (in_parts_ == InParts::still) in_parts_ = InParts::none;
   if (!moving_ && !full_detail_ && view_.isVisible()) return drawArriving();
   in_parts_ = InParts::none;
-  is_old_ = true;
+  is_outdated_ = true;
   view_.update();
 }
 
 void SceneDrawing::drawArriving() {
   const QSize pixels = this->pixels();
   if (in_parts_ != InParts::arriving && !is_prepared_) {
-    prepareHastily(pixels, kRebuildInAStepPoints);
+    prepareQuickly(pixels, kRebuildInAStepPoints);
     is_prepared_ = is_complete_ || ++preparing_steps_ == kMaxSteps;
     draw_timer_.start(0);
     return;
@@ -118,38 +118,40 @@ void SceneDrawing::drawArriving() {
     return;
   }
   if (drawPart(pixels)) return;
-  budget().learn(scene_.cloud().drawnPointCount(), parts_ms_);
+  budget().update(scene_.cloud().drawnPointCount(), parts_ms_);
   view_.update();
   if (!is_complete_) schedule();
 }
 
-void SceneDrawing::prepareHastily(const QSize& pixels, std::size_t rebuild_points) {
+void SceneDrawing::prepareQuickly(const QSize& pixels, std::size_t rebuild_points) {
   scene_.setOverlap(SplatOverlap::quick);
   is_complete_ = scene_.prepare(pixels.width(), pixels.height(), budget().points(), rebuild_points);
 }
 
-bool SceneDrawing::hurries() const { return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty(); }
+bool SceneDrawing::drawsQuickly() const {
+  return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty();
+}
 
 PointBudget& SceneDrawing::budget() {
   if (resizing_) return budgets_.resizing;
   return scanning_ && !moving_ ? budgets_.scanning : budgets_.moving;
 }
 
-PointBudget& SceneDrawing::partBudget() { return hurries() ? budgets_.arriving_part : budgets_.part; }
+PointBudget& SceneDrawing::partBudget() { return drawsQuickly() ? budgets_.arriving_part : budgets_.part; }
 
 void SceneDrawing::drawStill() {
   const QSize pixels = this->pixels();
   if (in_parts_ != InParts::still) {
     scene_.setOverlap(SplatOverlap::exact);
     if (!scene_.prepare(pixels.width(), pixels.height(), budgets_.still.points(), kRebuildInAStepPoints)) {
-      draw_timer_.start(0);  // the next chunks, when the window has done what else it has to do
+      draw_timer_.start(0);  // continues after pending events of the window
       return;
     }
     beginParts(InParts::still);
     return;
   }
   if (drawPart(pixels)) return;
-  budgets_.still.learn(scene_.cloud().drawnPointCount(), parts_ms_);
+  budgets_.still.update(scene_.cloud().drawnPointCount(), parts_ms_);
   view_.update();
 }
 
@@ -167,8 +169,8 @@ bool SceneDrawing::drawPart(const QSize& pixels) {
   const double took_ms = millisecondsOf(timer);
   parts_ms_ += took_ms;
   const bool has_more = scene_.nextPart();
-  // The last part holds what is left, however little: that it was quick says nothing.
-  partBudget().learn(has_more ? partBudget().points() : 0, took_ms);
+  // The last part may be small, so its time must not raise the budget.
+  partBudget().update(has_more ? partBudget().points() : 0, took_ms);
   if (has_more) {
     draw_timer_.start(0);
     return true;
@@ -183,7 +185,7 @@ void SceneDrawing::takePicture(const QSize& pixels, double took_ms) {
   timer.start();
   picture_ = window_->picture(pixels);
   picture_.setDevicePixelRatio(view_.devicePixelRatioF());
-  is_old_ = false;
+  is_outdated_ = false;
   draw_ms_ += 0.3 * (took_ms + millisecondsOf(timer) - draw_ms_);
   since_draw_.start();
   emit drawn(pixels);
@@ -194,12 +196,12 @@ void SceneDrawing::paint(QPainter& painter) {
     painter.fillRect(view_.rect(), view_.palette().window());
     painter.drawText(view_.rect(), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("The 3D view needs OpenGL 3.2, which this display does not offer.\nEverything else "
-                        "works. Mesa's llvmpipe draws on any machine."));
+                        "works. Mesa's llvmpipe provides it on any computer."));
     return;
   }
   const QSize pixels = this->pixels();
-  // When something that lies over the view changed, the picture is there already.
-  if (is_old_ || pixels != picture_.size()) drawNow(pixels);
+  // If only an overlay changed, the stored picture is still valid.
+  if (is_outdated_ || pixels != picture_.size()) drawNow(pixels);
   painter.drawImage(0, 0, picture_);
 }
 
@@ -208,13 +210,13 @@ void SceneDrawing::drawNow(const QSize& pixels) {
   timer.start();
   in_parts_ = InParts::none;
   if (full_detail_) {
-    arrivals_.takeOver(1e9);
+    arrivals_.transfer(1e9);
     scene_.setOverlap(SplatOverlap::exact);
     constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMax);
     is_complete_ = scene_.prepare(pixels.width(), pixels.height(), kAll, kRebuildAllPoints);
   } else {
     const bool is_arriving = scanning_ || !arrivals_.isEmpty();
-    prepareHastily(pixels, resizing_     ? kRebuildInAStepPoints
+    prepareQuickly(pixels, resizing_     ? kRebuildInAStepPoints
                            : is_arriving ? kRebuildAtATimePoints
                                          : kRebuildAllPoints);
   }
@@ -223,9 +225,9 @@ void SceneDrawing::drawNow(const QSize& pixels) {
   const double prepared_ms = millisecondsOf(timer);
   window_->draw(pixels);
   const double took_ms = millisecondsOf(timer);
-  if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
+  if (!full_detail_) budget().update(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
   takePicture(pixels, took_ms);
-  if (!is_complete_ || !hurries()) schedule();  // the rest; or the same with much detail
+  if (!is_complete_ || !drawsQuickly()) schedule();  // the remaining chunks, or the same with full detail
 }
 
 }  // namespace scantrove

@@ -31,7 +31,7 @@ bool SceneInput::eventFilter(QObject* /*watched*/, QEvent* event) {
       release(static_cast<const QMouseEvent&>(*event));
       return true;
     case QEvent::MouseButtonDblClick: {
-      press_.reset();  // its release is no click
+      press_.reset();  // so that its release is no click
       const auto& mouse = static_cast<const QMouseEvent&>(*event);
       if (mouse.button() == Qt::LeftButton) emit view_.doubleClicked(mouse.position());
       return true;
@@ -71,7 +71,7 @@ void SceneInput::press(const QMouseEvent& event) {
   last_mouse_ = event.globalPosition();
   press_ = event.position();
   is_dragged_ = false;
-  is_given_up_ = false;
+  is_cancelled_ = false;
   view_.setFocus(Qt::MouseFocusReason);
 }
 
@@ -87,9 +87,9 @@ void SceneInput::move(const QMouseEvent& event) {
     emit view_.pointerLeft();
     beginStroke(event);
   }
-  if (is_given_up_) return;
+  if (is_cancelled_) return;
   if (!stroke_.isEmpty()) return drawStroke(event.position());
-  // On the screen: a message that appears above the view moves the view under the mouse.
+  // Uses screen coordinates, because a message that appears above the view moves the view.
   const QPointF step = event.globalPosition() - last_mouse_;
   last_mouse_ = event.globalPosition();
   if (event.buttons().testFlag(Qt::LeftButton) && event.modifiers().testFlag(Qt::ControlModifier)) {
@@ -99,10 +99,10 @@ void SceneInput::move(const QMouseEvent& event) {
   }
   const auto dx = static_cast<float>(step.x());
   const auto dy = static_cast<float>(step.y());
-  const auto tall = static_cast<float>(std::max(1, view_.height()));
+  const auto view_height = static_cast<float>(std::max(1, view_.height()));
   const bool shifted = event.modifiers().testFlag(Qt::ShiftModifier);
   if (event.buttons().testFlag(Qt::MiddleButton) || (event.buttons().testFlag(Qt::LeftButton) && shifted)) {
-    view_.scene().viewpoint().pan(-dx / tall, dy / tall);
+    view_.scene().viewpoint().pan(-dx / view_height, dy / view_height);
   } else if (event.buttons().testFlag(Qt::LeftButton)) {
     view_.scene().viewpoint().orbit(-dx * kTurnPerPixel_rad, dy * kTurnPerPixel_rad);
   } else if (event.buttons().testFlag(Qt::RightButton)) {
@@ -117,23 +117,23 @@ void SceneInput::setDrawsStrokes(bool draws) {
   draws_strokes_ = draws;
   if (stroke_.isEmpty() || draws) return;
   stroke_.clear();
-  is_given_up_ = true;
+  is_cancelled_ = true;
   emit view_.strokeChanged();
 }
 
 void SceneInput::beginStroke(const QMouseEvent& event) {
-  const bool may =
+  const bool draws =
       draws_strokes_ && event.buttons() == Qt::LeftButton && !event.modifiers().testFlag(Qt::ControlModifier);
-  if (!may || !view_.at(*press_).region) return;
-  view_.setFollowing(false);  // or the scene moves away under the hand
+  if (!draws || !view_.at(*press_).region) return;
+  view_.setFollowing(false);  // otherwise the scene moves under the pointer
   stroke_.begin(*press_);
   emit view_.strokeAt(view_.at(*press_));
 }
 
 void SceneInput::drawStroke(const QPointF& to) {
-  for (const QPointF& place : stroke_.extend(to)) {
-    emit view_.strokeAt(view_.at(place));
-    if (stroke_.isEmpty()) return;  // who listens gave it up
+  for (const QPointF& point : stroke_.extend(to)) {
+    emit view_.strokeAt(view_.at(point));
+    if (stroke_.isEmpty()) return;  // a receiver cancelled it
   }
   view_.drawing().notePointing();
   emit view_.strokeChanged();

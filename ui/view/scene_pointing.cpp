@@ -6,14 +6,14 @@
 namespace scantrove {
 namespace {
 
-constexpr double kIdsPerPixel = 0.5;  ///< resolution of pointing
+constexpr double kIdsPerPixel = 0.5;  ///< resolution of the id picture
 constexpr int kGapPasses = 2;
-// Where it is looked at closely: in so many parts of a pixel, which may show several points of the cloud, and
-// so many of them to every side.
+// Fine search near region borders: a pixel may show several points of the cloud, so it is divided into
+// kPartsOfPixel, and kFineRadius parts on each side are drawn.
 constexpr int kPartsOfPixel = 3;
-constexpr int kClose = 2 * kPartsOfPixel;
+constexpr int kFineRadius = 2 * kPartsOfPixel;
 
-/// Between two points of a coarse cloud nothing is drawn: a pixel there belongs to the surface around it.
+/// Fills gaps between points of a coarse cloud with the region on both sides.
 void closeGaps(cv::Mat& ids) {
   const cv::Mat open = ids.clone();
   for (int y = 1; y + 1 < ids.rows; ++y) {
@@ -41,15 +41,15 @@ void closeGaps(cv::Mat& ids) {
 void ScenePointing::setDrawn(const QSize& pixels, double ratio) {
   pixels_ = pixels;
   ratio_ = ratio;
-  is_old_ = true;
+  is_outdated_ = true;
 }
 
 const cv::Mat& ScenePointing::regionIds() {
-  if (!is_old_) return whole_.regions;
-  is_old_ = false;
-  scene_.drawIds(pixels_.width(), pixels_.height(), static_cast<float>(kIdsPerPixel / ratio_), whole_.ids);
-  findRegions(whole_);
-  return whole_.regions;
+  if (!is_outdated_) return full_.regions;
+  is_outdated_ = false;
+  scene_.drawIds(pixels_.width(), pixels_.height(), static_cast<float>(kIdsPerPixel / ratio_), full_.ids);
+  findRegions(full_);
+  return full_.regions;
 }
 
 void ScenePointing::findRegions(Picture& picture) const {
@@ -69,18 +69,19 @@ RegionPoint ScenePointing::at(const QPointF& fraction) {
   if (fraction.x() < 0 || fraction.y() < 0 || x >= ids.cols || y >= ids.rows) return {};
   const cv::Rect around = cv::Rect(x - 1, y - 1, 3, 3) & cv::Rect({}, ids.size());
   if (cv::countNonZero(ids(around) != ids.at<int>(y, x)) > 0) {
-    if (RegionPoint close = closely(fraction); close.region) return close;
+    if (RegionPoint fine = atFineScale(fraction); fine.region) return fine;
   }
-  return whole_.at(x, y);
+  return full_.at(x, y);
 }
 
-RegionPoint ScenePointing::closely(const QPointF& fraction) {
+RegionPoint ScenePointing::atFineScale(const QPointF& fraction) {
   const int x = static_cast<int>(fraction.x() * pixels_.width() * kPartsOfPixel);
   const int y = static_cast<int>(fraction.y() * pixels_.height() * kPartsOfPixel);
   scene_.drawIdsFinely(pixels_.width(), pixels_.height(), kPartsOfPixel,
-                       {x - kClose, y - kClose, 2 * kClose + 1, 2 * kClose + 1}, close_.ids);
-  findRegions(close_);
-  return close_.at(kClose, kClose);
+                       {x - kFineRadius, y - kFineRadius, 2 * kFineRadius + 1, 2 * kFineRadius + 1},
+                       fine_.ids);
+  findRegions(fine_);
+  return fine_.at(kFineRadius, kFineRadius);
 }
 
 RegionPoint ScenePointing::Picture::at(int x, int y) const {

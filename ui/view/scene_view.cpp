@@ -6,7 +6,7 @@
 namespace scantrove {
 namespace {
 
-constexpr double kTakeOver_ms = 15;  ///< at a time
+constexpr double kTransfer_ms = 15;  ///< per step
 
 }  // namespace
 
@@ -19,7 +19,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
       tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
   setMouseTracking(true);
   arrival_timer_.setSingleShot(true);
-  connect(&arrival_timer_, &QTimer::timeout, this, &SceneView::takeOver);
+  connect(&arrival_timer_, &QTimer::timeout, this, &SceneView::transfer);
   connect(&drawing_, &SceneDrawing::drawn, this, [this](const QSize& pixels) {
     pointing_.setDrawn(pixels, devicePixelRatioF());
     emit drawn();
@@ -27,7 +27,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
 }
 
 SceneView::~SceneView() {
-  // VTK frees its OpenGL objects while the context still lives.
+  // VTK must free its OpenGL objects while the context exists.
   drawing_.makeCurrent();
   scene_.clear();
 }
@@ -51,14 +51,14 @@ void SceneView::clearScene() {
 void SceneView::showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot) {
   arrivals_.add(snapshot);
   const auto isByPerson = [](const auto& change) { return change.by_person; };
-  const bool is_awaited = std::ranges::any_of(snapshot->changed_regions, isByPerson) ||
-                          std::ranges::any_of(snapshot->changed_bricks, isByPerson);
-  takeOver();
-  if (is_awaited) drawing_.drawAwaited();
+  const bool has_user_edit = std::ranges::any_of(snapshot->changed_regions, isByPerson) ||
+                             std::ranges::any_of(snapshot->changed_bricks, isByPerson);
+  transfer();
+  if (has_user_edit) drawing_.drawUserEdit();
 }
 
-void SceneView::takeOver() {
-  if (!arrivals_.takeOver(kTakeOver_ms)) arrival_timer_.start(0);
+void SceneView::transfer() {
+  if (!arrivals_.transfer(kTransfer_ms)) arrival_timer_.start(0);
   drawing_.schedule();
 }
 
@@ -120,17 +120,17 @@ void SceneView::fit(const Eigen::AlignedBox3f& box) {
 
 const cv::Mat& SceneView::regionIds() { return pointing_.regionIds(); }
 
-RegionPoint SceneView::at(const QPointF& place) {
+RegionPoint SceneView::at(const QPointF& position) {
   if (width() < 1 || height() < 1) return {};
-  return pointing_.at({place.x() / width(), place.y() / height()});
+  return pointing_.at({position.x() / width(), position.y() / height()});
 }
 
-std::optional<QPointF> SceneView::placeOf(const Eigen::Vector3f& point_world) {
+std::optional<QPointF> SceneView::positionOf(const Eigen::Vector3f& point_world) {
   const float aspect = static_cast<float>(width()) / static_cast<float>(std::max(1, height()));
-  const auto place = scene_.viewpoint().placeOf(point_world, aspect);
-  if (!place || place->cwiseAbs().maxCoeff() > 1) return std::nullopt;
-  return QPointF((static_cast<double>(place->x()) + 1) / 2 * width(),
-                 (1 - static_cast<double>(place->y())) / 2 * height());
+  const auto position = scene_.viewpoint().positionOf(point_world, aspect);
+  if (!position || position->cwiseAbs().maxCoeff() > 1) return std::nullopt;
+  return QPointF((static_cast<double>(position->x()) + 1) / 2 * width(),
+                 (1 - static_cast<double>(position->y())) / 2 * height());
 }
 
 }  // namespace scantrove

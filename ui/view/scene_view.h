@@ -17,8 +17,8 @@
 
 namespace scantrove {
 
-/// The 3D view: the one place where Qt and VTK meet. VTK draws out of sight (SceneDrawing), and the widget
-/// shows the picture of the last drawing that is complete. SceneInput takes mouse and keys.
+/// The 3D view, which connects Qt and VTK. VTK draws offscreen (SceneDrawing), and the widget shows the last
+/// complete picture. SceneInput handles mouse and keys.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -30,42 +30,42 @@ class SceneView : public QWidget {
   [[nodiscard]] SceneDrawing& drawing() { return drawing_; }
   [[nodiscard]] SceneInput& input() { return input_; }
   void clearScene();
-  /// Its bricks come into view a few at a time.
+  /// Adds its bricks a few at a time.
   void showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot);
   void setColors(const LabelCloudScene::Colors& colors);
 
   [[nodiscard]] bool following() const { return scene_.following(); }
-  /// What the last drawing shows there. Widget coordinates.
-  [[nodiscard]] RegionPoint at(const QPointF& place);
-  /// Where a point of the world is seen, hidden or not. Widget coordinates; none: not in the view.
-  [[nodiscard]] std::optional<QPointF> placeOf(const Eigen::Vector3f& point_world);
-  /// CV_32SC1: the region in each pixel of the last drawing, at about half its size.
+  /// Region and point of the last drawing at a position in widget coordinates.
+  [[nodiscard]] RegionPoint at(const QPointF& position);
+  /// Position of a world point in widget coordinates, even if it is hidden; none: outside of the view.
+  [[nodiscard]] std::optional<QPointF> positionOf(const Eigen::Vector3f& point_world);
+  /// CV_32SC1: region by pixel of the last drawing, at about half its size.
   [[nodiscard]] const cv::Mat& regionIds();
   void setColoring(Coloring coloring);
-  /// These regions are background and look like that from now on.
+  /// Sets the background regions and their style.
   void setBackground(const std::set<RegionId>& regions, BackgroundStyle style);
-  /// These are selected: as long as they are small they are drawn finely, whatever arrives.
+  /// Sets the selected regions. Unless they are large, they are drawn in fine detail.
   void setSelected(const std::set<RegionId>& regions);
   void lookFrom(StandardView from);
-  /// Looks at all of `box` from the present direction; an empty one changes nothing.
+  /// Shows all of `box` from the current direction; does nothing if it is empty.
   void fit(const Eigen::AlignedBox3f& box);
   [[nodiscard]] QSize sizeHint() const override { return {900, 640}; }
 
  public slots:
   void setFollowing(bool following);
   void fitAll();
-  /// Around what is looked at, in radians; as if nobody had touched it.
+  /// Turns around the target by `yaw` radians without ending the following of the camera.
   void turn(float yaw);
   void setGridVisible(bool visible);
 
  signals:
   void followingChanged(bool following);
-  void drawn();  ///< what places show may be something else now
-  void pointedAt(const QPointF& place);
+  void drawn();  ///< the results of at() may have changed
+  void pointedAt(const QPointF& position);
   void pointerLeft();
-  void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
-  void doubleClicked(const QPointF& place);
-  void menuRequested(const QPointF& place, const QPoint& on_screen);
+  void clicked(const QPointF& position, Qt::KeyboardModifiers modifiers);
+  void doubleClicked(const QPointF& position);
+  void menuRequested(const QPointF& position, const QPoint& on_screen);
   void bandChanged();
   void bandDrawn(const QRectF& band);
   void strokeAt(const scantrove::RegionPoint& point);
@@ -78,7 +78,7 @@ class SceneView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void takeOver();
+  void transfer();
 
   LabelCloudScene scene_;
   SnapshotArrivals arrivals_{scene_};

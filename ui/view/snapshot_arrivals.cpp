@@ -19,11 +19,11 @@ void SnapshotArrivals::add(std::shared_ptr<const ScanSnapshot> snapshot) {
   if (!snapshot->changed_bricks.empty()) waiting_.push_back({std::move(snapshot)});
 }
 
-bool SnapshotArrivals::takeOver(double most_ms) {
+bool SnapshotArrivals::transfer(double max_ms) {
   const auto start = std::chrono::steady_clock::now();
   const auto isOver = [&] {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() >
-           most_ms;
+           max_ms;
   };
   while (!waiting_.empty() && !isOver()) {
     auto& [snapshot, next] = waiting_.front();

@@ -9,15 +9,15 @@ namespace scantrove {
 
 class LabelCloudScene;
 
-/// Takes what snapshots bring over into the scene: all but the bricks at once, these a few at a time, so that
-/// the window is not held up by a session that is opened. One thread, the window's.
+/// Transfers snapshots into the scene: bricks a few at a time, everything else at once, so that opening a
+/// session does not block the window. Use from the window's thread.
 class SnapshotArrivals {
  public:
   explicit SnapshotArrivals(LabelCloudScene& scene) : scene_(scene) {}
 
   void add(std::shared_ptr<const ScanSnapshot> snapshot);
-  /// For about so long. True: all that was added is there.
-  bool takeOver(double most_ms);
+  /// Transfers bricks for about `max_ms`. True when all are transferred.
+  bool transfer(double max_ms);
   [[nodiscard]] bool isEmpty() const { return waiting_.empty(); }
   void clear() { waiting_.clear(); }
 

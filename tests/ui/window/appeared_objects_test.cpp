@@ -276,7 +276,7 @@ TEST_F(AppearedObjectsTest, TypedNumberIsKeptAndUsed) {
 }
 
 TEST_F(AppearedObjectsTest, OpenMenuOfRecentSourcesDoesNotChange) {
-  rememberSource(QStringLiteral("demo:room"));
+  addRecentSource(QStringLiteral("demo:room"));
   QMenu* file = nullptr;
   for (QAction* action : window_->menuBar()->actions()) {
     if (action->text() == QStringLiteral("&File")) file = action->menu();

@@ -65,9 +65,9 @@ TEST_F(CoverageGuideTest, ArrowPointsToAnUnseenSide) {
   ASSERT_TRUE(guide().shown());
   EXPECT_GE(guide().shown()->count(), 1);
   EXPECT_LE(guide().shown()->count(), 3);  // covered by one view
-  ASSERT_TRUE(guide().leadsTo());
-  EXPECT_FALSE(fromInFront_.covers(*guide().leadsTo()));
-  EXPECT_LT(guide().leadsTo()->y(), 0);  // from above, not from below
+  ASSERT_TRUE(guide().targetDirection());
+  EXPECT_FALSE(fromInFront_.covers(*guide().targetDirection()));
+  EXPECT_LT(guide().targetDirection()->y(), 0);  // from above, not from below
 }
 
 TEST_F(CoverageGuideTest, ArrowHasALabelInThePicture) {
@@ -86,7 +86,7 @@ TEST_F(CoverageGuideTest, HasNoArrow_WhenAllSidesWereSeen) {
   window_->regions().selection().select(kRegion);
   ASSERT_TRUE(guide().shown());
   EXPECT_TRUE(guide().shown()->isComplete());
-  EXPECT_FALSE(guide().leadsTo());
+  EXPECT_FALSE(guide().targetDirection());
 }
 
 TEST_F(CoverageGuideTest, CountsNewViews_WhileTheRegionIsSelected) {
@@ -105,19 +105,19 @@ TEST_F(CoverageGuideTest, ShowsNothing_ForBackground) {
   show(regionSeen(1, fromInFront_, wall));
   window_->regions().selection().select(kRegion);
   EXPECT_FALSE(guide().shown());
-  EXPECT_FALSE(guide().leadsTo());
+  EXPECT_FALSE(guide().targetDirection());
 }
 
 TEST_F(CoverageGuideTest, ArrowCanBeSwitchedOff_AndThatIsRemembered) {
   show(regionSeen(1, fromInFront_));
   window_->regions().selection().select(kRegion);
-  ASSERT_TRUE(guide().leadsTo());
+  ASSERT_TRUE(guide().targetDirection());
   guide().action()->trigger();
-  EXPECT_FALSE(guide().leadsTo());
+  EXPECT_FALSE(guide().targetDirection());
   EXPECT_TRUE(guide().shown()) << "the ring stays";
   EXPECT_FALSE(QSettings().value(QStringLiteral("view/guide")).toBool());
   guide().action()->trigger();
-  EXPECT_TRUE(guide().leadsTo());
+  EXPECT_TRUE(guide().targetDirection());
 }
 
 TEST_F(CoverageGuideTest, ListShowsRings_ForObjectsOfTheScan) {

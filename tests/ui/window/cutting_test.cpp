@@ -26,7 +26,7 @@ class CuttingTest : public PointingTest {
                       Qt::LeftButton, modifiers);
     QApplication::sendEvent(widget, &event);
   }
-  QPoint inPicture(std::size_t i, double x, double y) { return panel(i)->placeOf({x, y}).toPoint(); }
+  QPoint inPicture(std::size_t i, double x, double y) { return panel(i)->positionOf({x, y}).toPoint(); }
   void drawInPicture(std::size_t i, const QPointF& from, const QPointF& to,
                      Qt::KeyboardModifiers modifiers = {}, bool release = true) {
     draw(panel(i), inPicture(i, from.x(), from.y()), inPicture(i, to.x(), to.y()), modifiers, release);

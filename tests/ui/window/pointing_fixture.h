@@ -61,7 +61,7 @@ class PointingTest : public WindowTest {
   QLineEdit* nameField() { return window_->regions().nameEditor().field(); }
 
   void clickPicture(std::size_t i, double x, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mouseClick(panel(i), Qt::LeftButton, modifiers, panel(i)->placeOf({x, 0.3}).toPoint());
+    QTest::mouseClick(panel(i), Qt::LeftButton, modifiers, panel(i)->positionOf({x, 0.3}).toPoint());
   }
   /// A pixel of the 3D view inside a region; null: the region is not drawn.
   QPoint pixelInScene(RegionId region) {

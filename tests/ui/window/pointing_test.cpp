@@ -22,16 +22,16 @@ namespace {
 
 TEST_F(PointingTest, HoverHighlightsARegionInAllViews_AndShowsItsName) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !pixelInScene(RegionId{7}).isNull(); }, kPatience_ms));
-  QTest::mouseMove(panel(0), panel(0)->placeOf({0.8, 0.3}).toPoint());
+  QTest::mouseMove(panel(0), panel(0)->positionOf({0.8, 0.3}).toPoint());
   ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{7}; }, kPatience_ms));
   EXPECT_EQ(panel(0)->tag().value(0), QStringLiteral("red cup"));
   EXPECT_TRUE(panel(0)->tag().value(1).contains(QStringLiteral("cup")));
   for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_FALSE(panel(i)->lit().isNull()) << i;
-    EXPECT_GT(qAlpha(panel(i)->lit().pixel(250, 100)), 0) << i;
-    EXPECT_EQ(qAlpha(panel(i)->lit().pixel(50, 100)), 0) << i;
+    EXPECT_FALSE(panel(i)->highlight().isNull()) << i;
+    EXPECT_GT(qAlpha(panel(i)->highlight().pixel(250, 100)), 0) << i;
+    EXPECT_EQ(qAlpha(panel(i)->highlight().pixel(50, 100)), 0) << i;
   }
-  EXPECT_FALSE(window_->parts().scene->overlay()->lit().isNull()) << "the 3D view";
+  EXPECT_FALSE(window_->parts().scene->overlay()->highlight().isNull()) << "the 3D view";
 }
 
 TEST_F(PointingTest, SceneClicksSelectRegions_AsInThePictures) {
@@ -85,7 +85,7 @@ TEST_F(PointingTest, TypedNameIsKept_WhileFramesArrive) {
 }
 
 TEST_F(PointingTest, EscapeCancelsANaming) {
-  QTest::mouseDClick(panel(0), Qt::LeftButton, {}, panel(0)->placeOf({0.8, 0.3}).toPoint());
+  QTest::mouseDClick(panel(0), Qt::LeftButton, {}, panel(0)->positionOf({0.8, 0.3}).toPoint());
   ASSERT_TRUE(nameField()->isVisible());
   EXPECT_EQ(nameField()->text(), QStringLiteral("cup/red cup"));
   QTest::keyClicks(nameField(), QStringLiteral("xy"));
@@ -275,8 +275,8 @@ TEST_F(PointingTest, TabSelectsTheNextRegion_AndEscapeDeselects) {
 }
 
 TEST_F(PointingTest, RightClickOpensTheRegionMenu) {
-  QTest::mouseMove(panel(0), panel(0)->placeOf({0.8, 0.3}).toPoint());
-  const QPoint place = panel(0)->placeOf({0.8, 0.3}).toPoint();
+  QTest::mouseMove(panel(0), panel(0)->positionOf({0.8, 0.3}).toPoint());
+  const QPoint place = panel(0)->positionOf({0.8, 0.3}).toPoint();
   QContextMenuEvent event(QContextMenuEvent::Mouse, place, panel(0)->mapToGlobal(place));
   QApplication::sendEvent(panel(0), &event);
   auto* menu = window_->findChild<QMenu*>(QStringLiteral("regionMenu"));
@@ -307,7 +307,7 @@ TEST_F(PointingTest, EndedScanShowsKeyFrames_AndExportsADataSet) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !worker_->previews.empty(); }, kPatience_ms));
   worker_->report(ExportPreviewed{{.images = 12, .regions = 3, .megabytes = 40}});
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return window_->dialogs().exportDialog()->said().contains(QStringLiteral("12 images")); },
+      [&] { return window_->dialogs().exportDialog()->message().contains(QStringLiteral("12 images")); },
       kPatience_ms));
   // The dialog shows a sample, and the page keys change it.
   ASSERT_FALSE(worker_->samples.empty());
@@ -321,7 +321,7 @@ TEST_F(PointingTest, EndedScanShowsKeyFrames_AndExportsADataSet) {
   worker_->report(ExportSampled{sample});
   const ExportSampleView* const shown = window_->dialogs().exportDialog()->sampleView();
   ASSERT_TRUE(QTest::qWaitFor([&] { return shown->hasPicture(); }, kPatience_ms));
-  EXPECT_TRUE(shown->said().contains(QStringLiteral("2 of 3")));
+  EXPECT_TRUE(shown->caption().contains(QStringLiteral("2 of 3")));
   QTest::keyClick(window_->dialogs().exportDialog(), Qt::Key_PageDown);
   EXPECT_EQ(worker_->samples.back().second, 2);
   QTest::keyClick(window_->dialogs().exportDialog(), Qt::Key_PageDown);
@@ -332,7 +332,7 @@ TEST_F(PointingTest, EndedScanShowsKeyFrames_AndExportsADataSet) {
   EXPECT_FALSE(worker_->exports[0].folder.empty());
   worker_->report(ExportFailed{{"The disk is full.", ""}});
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return window_->dialogs().exportDialog()->said() == QStringLiteral("The disk is full."); },
+      [&] { return window_->dialogs().exportDialog()->message() == QStringLiteral("The disk is full."); },
       kPatience_ms));
 }
 

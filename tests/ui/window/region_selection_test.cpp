@@ -51,16 +51,16 @@ TEST(RegionSelection, WalksBySize_WithoutBackgroundAndSmallRegions) {
   RegionInfo table = info(1, 90000);
   table.note.background = true;
   selection.update(snapshotWith({}, {table, info(2, 500), info(3, 5000), info(4, 3)}));
-  selection.walk(true);
+  selection.selectBySize(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{3}});
   // Region 2 has grown beyond region 3, and is still the next.
   selection.update(snapshotWith({}, {table, info(2, 50000), info(3, 5000), info(4, 3)}));
-  selection.walk(true);
+  selection.selectBySize(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{2}});
-  selection.walk(false);
+  selection.selectBySize(false);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{3}});
-  selection.walk(true);
-  selection.walk(true);
+  selection.selectBySize(true);
+  selection.selectBySize(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{2}}) << "the walk starts again";
 }
 
@@ -127,9 +127,9 @@ TEST(RegionPicture, HighlightsHoveredAndSelectedRegionsOnly) {
   cv::Mat ids(20, 30, CV_32SC1, cv::Scalar(1));
   ids.colRange(10, 20).setTo(2);
   ids.colRange(20, 30).setTo(3);
-  EXPECT_TRUE(litPicture(ids, {}, {}).isNull());
-  EXPECT_TRUE(litPicture(ids, RegionId{9}, {}).isNull()) << "region 9 is not in view";
-  const QImage lit = litPicture(ids, RegionId{1}, {RegionId{2}});
+  EXPECT_TRUE(highlightPicture(ids, {}, {}).isNull());
+  EXPECT_TRUE(highlightPicture(ids, RegionId{9}, {}).isNull()) << "region 9 is not in view";
+  const QImage lit = highlightPicture(ids, RegionId{1}, {RegionId{2}});
   EXPECT_EQ(qAlpha(lit.pixel(25, 10)), 0);
   EXPECT_GT(qAlpha(lit.pixel(5, 10)), 0);
   EXPECT_LT(qBlue(lit.pixel(15, 10)), 50) << "yellow";

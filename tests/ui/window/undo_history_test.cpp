@@ -64,7 +64,7 @@ TEST_F(UndoHistoryTest, ForgetsTheStepsOfAnOwner_WithoutUndoingThem) {
 TEST_F(UndoHistoryTest, StepsOfAnOpenedScanPrecedeNewSteps) {
   history_.push(&catalogue_, step("rename"));
   notes_.clear();
-  history_.learn(&regions_, {step("name"), step("cut"), step("undone")}, 2);
+  history_.prepend(&regions_, {step("name"), step("cut"), step("undone")}, 2);
   EXPECT_TRUE(notes_.empty()) << "they are done already";
   EXPECT_FALSE(history_.stack().canRedo()) << "a newer step exists";
   undoAll();
@@ -72,7 +72,7 @@ TEST_F(UndoHistoryTest, StepsOfAnOpenedScanPrecedeNewSteps) {
 }
 
 TEST_F(UndoHistoryTest, UndoneStepsOfAnOpenedScanCanBeRedone) {
-  history_.learn(&regions_, {step("name"), step("cut")}, 1);
+  history_.prepend(&regions_, {step("name"), step("cut")}, 1);
   EXPECT_EQ(history_.stack().redoText(), QStringLiteral("cut"));
   history_.stack().redo();
   EXPECT_THAT(notes_, ElementsAre("+cut"));
