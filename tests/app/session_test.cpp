@@ -110,7 +110,7 @@ TEST_F(SessionCommandTest, RemovedNameIsRemovedFromTheCatalogue) {
 
 TEST_F(SessionCommandTest, ResumedScanKeepsNamesAndJoins) {
   const std::vector<int> sorted = byDecreasingSize();
-  ASSERT_EQ(session({"name", "--region", std::to_string(sorted.at(3)), "--name", "kept"}).exit_code, 0);
+  ASSERT_EQ(session({"name", "--region", std::to_string(sorted.at(3)), "--name", "mug"}).exit_code, 0);
   ASSERT_EQ(session({"join", std::to_string(sorted.at(3)), std::to_string(sorted.at(4))}).exit_code, 0);
   const Finished run = scantrove({"scan", "demo", "--start", "40", "--frames", "20", "--resume", scan_});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -121,7 +121,7 @@ TEST_F(SessionCommandTest, ResumedScanKeepsNamesAndJoins) {
   EXPECT_EQ(shown["ended"], true);
   bool has_name = false;
   for (const Json& region : Json::parse(regionTable())) {
-    has_name = has_name || region["name"] == "kept";
+    has_name = has_name || region["name"] == "mug";
     EXPECT_NE(region["id"], sorted.at(4)) << "it was joined";
   }
   EXPECT_TRUE(has_name);

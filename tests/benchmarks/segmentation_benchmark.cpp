@@ -117,7 +117,7 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
 
 void printHeader(const Variant& variant) {
   std::printf(
-      "\n== %s\n%-18s |  error 4.1 px            | small over half        | large over half | small things: "
+      "\n== %s\n%-18s |  error 4.1 px            | small over half        | large over half | small objects: "
       "segment had / lost as mixed, joined, split / won |\n",
       variant.name.c_str(), "");
   std::printf(

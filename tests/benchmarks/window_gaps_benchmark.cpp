@@ -141,7 +141,7 @@ void fillCatalogue(const std::string& file, int objects) {
     if (!added) throw std::runtime_error(added.error().message());
     view.object = added->id;
     static_cast<void>((*database)->addView(view));
-    static_cast<void>((*database)->rename(added->id, "thing " + std::to_string(i)));
+    static_cast<void>((*database)->rename(added->id, "object " + std::to_string(i)));
     static_cast<void>((*database)->setConfirmed(std::vector{added->id}, true));
   }
 }

@@ -18,7 +18,7 @@ namespace scantrove {
 namespace {
 
 using test::OtherProgram;
-using test::Thing;
+using test::TableItem;
 using testing::AllOf;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
@@ -53,9 +53,9 @@ class SlowCatalogueTest : public test::ObjectCollectorFixture {
   /// A scan with an object that has two entries for a while.
   void scanTable(const std::function<void(int frame)>& between = [](int) {}) {
     int frame = 0;
-    const auto show = [&](const std::vector<Thing>& things, double degrees) {
+    const auto show = [&](const std::vector<TableItem>& items, double degrees) {
       between(frame++);
-      static_cast<void>(look(things, degrees));
+      static_cast<void>(showFrame(items, degrees));
     };
     for (int i = 0; i < 20; ++i) show({mug_, box_}, 0);
     for (int i = 0; i < 20; ++i) show({mug_, box_, cup_}, 3 * i);
@@ -65,17 +65,17 @@ class SlowCatalogueTest : public test::ObjectCollectorFixture {
 };
 
 TEST_F(SlowCatalogueTest, FramesDoNotWait_WhenTheCatalogueIsLocked) {
-  static_cast<void>(study({box_}));
+  static_cast<void>(showFrames({box_}));
   waits_ = false;
   FrameObjects all;
   {
     OtherProgram other(file());
     other.execute(kLock);
-    const FrameObjects locked = study({box_, mug_, cup_}, 60);
+    const FrameObjects locked = showFrames({box_, mug_, cup_}, 60);
     EXPECT_TRUE(locked.added.empty() && locked.new_views.empty())
-        << "nothing is announced before it is stored";
+        << "nothing is reported before it is stored";
     ASSERT_EQ(locked.seen.size(), 3U);
-    EXPECT_TRUE(locked.seen[0].object) << "what is known stays known";
+    EXPECT_TRUE(locked.seen[0].object) << "known objects stay known";
     EXPECT_FALSE(locked.seen[1].object);
     EXPECT_EQ(locked.seen[1].name, "");
     ASSERT_TRUE(
@@ -86,17 +86,17 @@ TEST_F(SlowCatalogueTest, FramesDoNotWait_WhenTheCatalogueIsLocked) {
       addEvents(all);
       std::this_thread::sleep_for(200ms);
     }
-    EXPECT_FALSE(all.catalogue_failure) << "said once, whenever it is tried again";
+    EXPECT_FALSE(all.catalogue_failure) << "reported once, though writes are repeated";
     other.execute("ROLLBACK");
   }
   ASSERT_TRUE(awaitEvents(all, [](const FrameObjects& events) { return events.added.size() == 2; }));
   settle();
-  FrameObjects now = look({box_, mug_, cup_}, 60);
+  FrameObjects now = showFrame({box_, mug_, cup_}, 60);
   EXPECT_FALSE(now.catalogue_failure);
   EXPECT_EQ(now.seen[1].object, all.added[0].id);
   EXPECT_EQ(now.seen[1].name, all.added[0].name);
   EXPECT_EQ(objects().size(), 3U);
-  EXPECT_EQ(objects()[0].views, 2) << "the view of the box waited, too";
+  EXPECT_EQ(objects()[0].views, 2) << "the view of the box waited too";
 }
 
 TEST_F(SlowCatalogueTest, WaitingObjectIsFound_LikeAStoredOne) {
@@ -104,14 +104,14 @@ TEST_F(SlowCatalogueTest, WaitingObjectIsFound_LikeAStoredOne) {
   OtherProgram other(file());
   settle();
   other.execute(kLock);
-  static_cast<void>(study({mug_}));
-  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
-  static_cast<void>(study({Thing{mug_.seed, mug_.place, RegionId{77}}}, 30));
+  static_cast<void>(showFrames({mug_}));
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(showFrame({}));
+  static_cast<void>(showFrames({TableItem{mug_.seed, mug_.place, RegionId{77}}}, 30));
   other.execute("ROLLBACK");
   settle();
   FrameObjects all;
   addEvents(all);
-  EXPECT_EQ(all.added.size(), 1U) << "under another region it is the same thing";
+  EXPECT_EQ(all.added.size(), 1U) << "the same object under another region";
   EXPECT_EQ(all.new_views.size(), 1U);
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].views, 2);
@@ -142,18 +142,18 @@ TEST_F(SlowCatalogueTest, SameScanGivesTheSameCatalogue_WhenItWasLocked) {
     settle();
     EXPECT_EQ(contents(name), waiting_for_each) << (is_locked ? "locked" : "quick");
   }
-  EXPECT_THAT(waiting_for_each, HasSubstr("1 Obj_1")) << "the question finds something";
+  EXPECT_THAT(waiting_for_each, HasSubstr("1 Obj_1")) << "the query finds views";
 }
 
 TEST_F(SlowCatalogueTest, ViewIsDropped_WhenItsObjectIsDeletedFirst) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   waits_ = false;
   FrameObjects seen;
   {
     OtherProgram other(file());
     other.execute(kLock);
-    seen = look({mug_}, 60);
-    EXPECT_EQ(seen.seen[0].object, mug) << "nobody has deleted it yet";
+    seen = showFrame({mug_}, 60);
+    EXPECT_EQ(seen.seen[0].object, mug) << "it is not deleted yet";
     const QString id = QString::number(mug.value);
     other.execute("UPDATE objects SET hidden = 1 WHERE id = " + id);
     other.execute("INSERT INTO events (created, action, object) VALUES ('', 'remove', " + id + ")");
@@ -164,14 +164,14 @@ TEST_F(SlowCatalogueTest, ViewIsDropped_WhenItsObjectIsDeletedFirst) {
   addEvents(seen);
   EXPECT_TRUE(seen.new_views.empty());
   EXPECT_FALSE(seen.seen[0].object);
-  for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(look({mug_}, 25 * frame).added.empty());
+  for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(showFrame({mug_}, 25 * frame).added.empty());
   EXPECT_TRUE(objects().empty());
   EXPECT_EQ(test::OtherProgram(file()).ask("SELECT count(*) FROM views"), "1");
   EXPECT_TRUE(collector_->objects().list().empty());
 }
 
 TEST_F(SlowCatalogueTest, ObjectsStayTwo_WhenUsersEditThemBeforeTheirMerge) {
-  const FrameObjects first = study({mug_, box_});
+  const FrameObjects first = showFrames({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   waits_ = false;
   FrameObjects seen;
@@ -179,7 +179,7 @@ TEST_F(SlowCatalogueTest, ObjectsStayTwo_WhenUsersEditThemBeforeTheirMerge) {
     OtherProgram other(file());
     other.execute(kLock);
     collector_->joinRegions(mug_.region, box_.region);
-    seen = look({mug_});
+    seen = showFrame({mug_});
     for (const ObjectId object : {mug, box}) {
       const QString id = QString::number(object.value);
       other.execute("UPDATE objects SET confirmed = 1 WHERE id = " + id);
@@ -192,18 +192,18 @@ TEST_F(SlowCatalogueTest, ObjectsStayTwo_WhenUsersEditThemBeforeTheirMerge) {
   EXPECT_TRUE(seen.merged.empty());
   EXPECT_EQ(objects().size(), 2U);
   EXPECT_TRUE(collected(mug).confirmed);
-  EXPECT_TRUE(collected(box).confirmed) << "the scan knows both again";
+  EXPECT_TRUE(collected(box).confirmed) << "the scan has both objects again";
   EXPECT_EQ(collector_->objects().list().size(), 2U);
 }
 
 TEST_F(SlowCatalogueTest, ScanContinues_WhenTheCatalogueCannotBeRead) {
-  static_cast<void>(study({box_}));
+  static_cast<void>(showFrames({box_}));
   waits_ = false;
   FrameObjects all;
   {
     OtherProgram other(file());
     other.execute("ALTER TABLE events RENAME TO gone");
-    all = study({box_, mug_});
+    all = showFrames({box_, mug_});
     ASSERT_TRUE(
         awaitEvents(all, [](const FrameObjects& events) { return events.catalogue_failure.has_value(); }));
     EXPECT_THAT(all.catalogue_failure->message(), HasSubstr("damaged"));
@@ -216,11 +216,11 @@ TEST_F(SlowCatalogueTest, ScanContinues_WhenTheCatalogueCannotBeRead) {
 TEST_F(SlowCatalogueTest, FinishReportsObjects_ThatAreNotStored) {
   writer_.patience = 100ms;
   beginScan();
-  static_cast<void>(study({box_}));
+  static_cast<void>(showFrames({box_}));
   waits_ = false;
   OtherProgram other(file());
   other.execute(kLock);
-  static_cast<void>(study({box_, mug_, cup_}, 60));
+  static_cast<void>(showFrames({box_, mug_, cup_}, 60));
   std::size_t stored = 0;
   const Result<void> finished = collector_->finish(
       [&](const FrameObjects& events) { stored += events.added.size() + events.new_views.size(); });
@@ -228,7 +228,7 @@ TEST_F(SlowCatalogueTest, FinishReportsObjects_ThatAreNotStored) {
   EXPECT_THAT(finished.error().message(),
               AllOf(HasSubstr(file()), HasSubstr("has not got 2 new objects, 1 view."), HasSubstr("locked")));
   EXPECT_EQ(stored, 0U);
-  ASSERT_EQ(collector_->objects().list().size(), 1U) << "what the catalogue has";
+  ASSERT_EQ(collector_->objects().list().size(), 1U) << "as in the catalogue";
   other.execute("ROLLBACK");
   EXPECT_EQ(objects().size(), 1U);
 }
@@ -237,11 +237,11 @@ TEST_F(SlowCatalogueTest, FinishReportsObjects_ThatAreNotStored) {
 TEST_F(SlowCatalogueTest, FinishDoesNotWaitForALock_WhenItIsUrgent) {
   writer_.patience = std::chrono::hours(1);
   beginScan();
-  static_cast<void>(study({box_}));
+  static_cast<void>(showFrames({box_}));
   waits_ = false;
   OtherProgram other(file());
   other.execute(kLock);
-  static_cast<void>(study({box_, mug_}, 60));
+  static_cast<void>(showFrames({box_, mug_}, 60));
   auto end = std::async(std::launch::async, [&] { return collector_->finish([](const FrameObjects&) {}); });
   setEndUrgent(true);
   const Result<void> finished = end.get();
@@ -255,7 +255,7 @@ TEST_F(SlowCatalogueTest, FinishWaitsForALock) {
   auto other = std::make_unique<OtherProgram>(file());
   settle();
   other->execute(kLock);
-  static_cast<void>(study({mug_}));
+  static_cast<void>(showFrames({mug_}));
   auto end = std::async(std::launch::async, [&] {
     std::size_t added = 0;
     const Result<void> finished =
@@ -276,17 +276,17 @@ TEST_F(SlowCatalogueTest, NewObjectsAreStored_WhenThereIsNoRoomForViews) {
   writer_.most_bytes = 5 * view / 2;
   writer_.room_patience = 10ms;
   beginScan();
-  const ObjectId mug = study({mug_}).added.at(0).id;
-  const Thing fourth{8, 0, RegionId{88}};
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
+  const TableItem fourth{8, 0, RegionId{88}};
   Candidate elsewhere = fourth.candidate();
   elsewhere.centroid_world.z() = 5;
   waits_ = false;
   {
     OtherProgram other(file());
     other.execute(kLock);
-    static_cast<void>(study({mug_, box_, cup_}));
-    for (int i = 0; i < 20; ++i) static_cast<void>(lookAt({elsewhere}, {fourth}));
-    static_cast<void>(look({mug_}, 60));  // a view without room, because two objects wait
+    static_cast<void>(showFrames({mug_, box_, cup_}));
+    for (int i = 0; i < 20; ++i) static_cast<void>(showCandidates({elsewhere}, {fourth}));
+    static_cast<void>(showFrame({mug_}, 60));  // a view without room, because two objects wait
     other.execute("ROLLBACK");
     settle();
     FrameObjects all;
@@ -296,9 +296,9 @@ TEST_F(SlowCatalogueTest, NewObjectsAreStored_WhenThereIsNoRoomForViews) {
   }
   waits_ = true;
   std::size_t added = 0;
-  for (int i = 0; i < 20; ++i) added += lookAt({elsewhere}, {fourth}).added.size();
+  for (int i = 0; i < 20; ++i) added += showCandidates({elsewhere}, {fourth}).added.size();
   EXPECT_EQ(added, 1U) << "it was still a candidate";
-  EXPECT_EQ(look({mug_}, 60).new_views, std::vector<ObjectId>{mug}) << "the direction was still new";
+  EXPECT_EQ(showFrame({mug_}, 60).new_views, std::vector<ObjectId>{mug}) << "the direction was still new";
   EXPECT_EQ(objects().size(), 4U);
 }
 
@@ -352,7 +352,7 @@ TEST_F(CatalogueWriterTest, FailedWritesAreRepeated) {
   EXPECT_THAT(std::get<event::Failed>(events[0]).error.message(), HasSubstr("broken"));
   other.execute("DROP TRIGGER broken");
   EXPECT_TRUE(store_->settle(60s));
-  ASSERT_EQ(objects().size(), 1U) << "tries that failed left nothing";
+  ASSERT_EQ(objects().size(), 1U) << "failed attempts store nothing";
   EXPECT_EQ(objects()[0].views, 2);
   EXPECT_EQ(objects()[0].name, "Obj_1");
   EXPECT_TRUE(store_->finish());

@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-using test::Thing;
+using test::TableItem;
 
 class IdentityResolverTest : public test::PartsFixture {
  protected:
@@ -104,7 +104,7 @@ TEST_F(IdentityResolverTest, ReplacedObjectIsMerged_WhenItsViewsAreValid) {
   identities_->mergeReplaced(views_->objectsInValidViews());
   store();
   ASSERT_EQ(objects().size(), 1U);
-  EXPECT_EQ(objects()[0].views, 2) << "of both";
+  EXPECT_EQ(objects()[0].views, 2) << "views of both";
 }
 
 TEST_F(IdentityResolverTest, RegionsLeaveTheirObject_AfterSeveralMismatches) {
@@ -120,7 +120,7 @@ TEST_F(IdentityResolverTest, RegionsLeaveTheirObject_AfterSeveralMismatches) {
 
 TEST_F(IdentityResolverTest, CandidateAtTheSamePlaceIsTheObject_UnlessItIsAnotherCompleteSet) {
   const ObjectId mug = add(mug_);
-  const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as close
+  const TableItem book{5, mug_.place, RegionId{90}};  // books in a row are as close
   constexpr int kLater = 100;
   EXPECT_EQ(identities_->identityOf(book.candidate(), std::nullopt, kLater, true), mug);
   settle({setOf({mug_.region}), setOf({book.region})});
@@ -129,7 +129,7 @@ TEST_F(IdentityResolverTest, CandidateAtTheSamePlaceIsTheObject_UnlessItIsAnothe
 
 TEST_F(IdentityResolverTest, ObjectElsewhereIsAnother_WhenTheScanIsRefined) {
   const ObjectId mug = add(mug_);
-  const Thing other{mug_.seed, 2, RegionId{77}};
+  const TableItem other{mug_.seed, 2, RegionId{77}};
   constexpr int kMuchLater = 300;
   EXPECT_EQ(identities_->identityOf(other.candidate(), mug, kMuchLater, false), mug)
       << "it may have been moved";

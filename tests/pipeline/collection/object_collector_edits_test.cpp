@@ -6,26 +6,26 @@
 namespace scantrove {
 namespace {
 
-using test::Thing;
+using test::TableItem;
 using ObjectCollectorEditsTest = test::ObjectCollectorFixture;
 
 TEST_F(ObjectCollectorEditsTest, DeletedObjectIsNotAddedAgain_AndReturnsWhenRestored) {
-  const ObjectId mug = study({mug_, box_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_, box_}).added.at(0).id;
   ASSERT_TRUE(person_->remove(std::array{mug}));
-  const Thing under_a_new_region{mug_.seed, mug_.place, RegionId{77}};
+  const TableItem under_a_new_region{mug_.seed, mug_.place, RegionId{77}};
   for (int frame = 0; frame < 20; ++frame) {
-    const FrameObjects seen = look({mug_, box_}, 25 * frame);
+    const FrameObjects seen = showFrame({mug_, box_}, 25 * frame);
     EXPECT_TRUE(seen.added.empty() && seen.recognized.empty());
     EXPECT_FALSE(seen.seen[0].object);
     EXPECT_EQ(seen.seen[0].name, "");
   }
-  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(showFrame({}));
   for (int frame = 0; frame < 40; ++frame)
-    EXPECT_TRUE(look({under_a_new_region, box_}, 25 * frame).added.empty());
+    EXPECT_TRUE(showFrame({under_a_new_region, box_}, 25 * frame).added.empty());
   EXPECT_EQ(objects().size(), 1U);
   EXPECT_EQ(collector_->objects().list().size(), 1U);
   ASSERT_TRUE(person_->restore(std::array{mug}));
-  const FrameObjects restored = look({mug_});
+  const FrameObjects restored = showFrame({mug_});
   EXPECT_EQ(restored.seen[0].object, mug);
   EXPECT_TRUE(restored.added.empty());
   EXPECT_EQ(collector_->objects().idOf(under_a_new_region.region), mug);
@@ -33,70 +33,70 @@ TEST_F(ObjectCollectorEditsTest, DeletedObjectIsNotAddedAgain_AndReturnsWhenRest
 }
 
 TEST_F(ObjectCollectorEditsTest, NamesAndConfirmationsShow_InTheNextFrame) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->rename(mug, "my mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
-  const FrameObjects seen = look({mug_});
+  const FrameObjects seen = showFrame({mug_});
   EXPECT_EQ(seen.seen[0].name, "my mug");
   EXPECT_TRUE(seen.seen[0].confirmed);
 }
 
 TEST_F(ObjectCollectorEditsTest, MergeByAUserIsFollowed_AndItsUndo) {
-  const FrameObjects first = study({mug_, box_});
+  const FrameObjects first = showFrames({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   const Result<ObjectMerge> merge = person_->merge(std::array{mug, box});
   ASSERT_TRUE(merge);
-  FrameObjects seen = look({mug_, box_});
+  FrameObjects seen = showFrame({mug_, box_});
   EXPECT_EQ(seen.seen[0].object, merge->into);
   EXPECT_EQ(seen.seen[1].object, merge->into);
   EXPECT_EQ(collector_->objects().list().size(), 1U);
   // A view of the merged part goes with it when the merge is undone.
-  EXPECT_EQ(look({mug_, box_}, 30).new_views.size(), 1U) << "the same direction of one object";
+  EXPECT_EQ(showFrame({mug_, box_}, 30).new_views.size(), 1U) << "the same direction of one object";
   ASSERT_TRUE(person_->unmerge(*merge));
-  seen = look({mug_, box_}, 60);
+  seen = showFrame({mug_, box_}, 60);
   EXPECT_EQ(seen.seen[0].object, mug);
   EXPECT_EQ(seen.seen[1].object, box);
   EXPECT_EQ(collector_->objects().list().size(), 2U);
 }
 
 TEST_F(ObjectCollectorEditsTest, JoinedRegionsMerge_UnlessAUserUndidThat) {
-  const FrameObjects first = study({mug_, box_});
+  const FrameObjects first = showFrames({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   collector_->joinRegions(mug_.region, box_.region);
-  const FrameObjects joined = look({mug_});
+  const FrameObjects joined = showFrame({mug_});
   ASSERT_EQ(joined.merged.size(), 1U);
   EXPECT_EQ(joined.merged[0].into, mug) << "the older of equals";
   EXPECT_EQ(joined.seen[0].object, mug);
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].views, 2);
   ASSERT_TRUE(person_->unmerge(joined.merged[0]));
-  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({mug_}));
-  const Thing box_again{box_.seed, box_.place, RegionId{99}};
-  EXPECT_EQ(look({mug_, box_again}).seen[1].object, box);
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(showFrame({mug_}));
+  const TableItem box_again{box_.seed, box_.place, RegionId{99}};
+  EXPECT_EQ(showFrame({mug_, box_again}).seen[1].object, box);
   collector_->joinRegions(mug_.region, box_again.region);
-  EXPECT_TRUE(look({mug_}).merged.empty());
+  EXPECT_TRUE(showFrame({mug_}).merged.empty());
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorEditsTest, ObjectsMerge_WhenAJoinByFramesPersists) {
-  static_cast<void>(study({mug_, box_}));
+  static_cast<void>(showFrames({mug_, box_}));
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   for (int i = 0; i < IdentityResolver::kFramesToMerge - 1; ++i)
-    EXPECT_TRUE(look({mug_}).merged.empty()) << i;
+    EXPECT_TRUE(showFrame({mug_}).merged.empty()) << i;
   std::size_t merged = 0;
-  for (int i = 0; i < 3; ++i) merged += look({mug_}).merged.size();
+  for (int i = 0; i < 3; ++i) merged += showFrame({mug_}).merged.size();
   EXPECT_EQ(merged, 1U);
   EXPECT_EQ(objects().size(), 1U);
 }
 
 TEST_F(ObjectCollectorEditsTest, ObjectsStayTwo_WhenAJoinByFramesIsReverted) {
-  const FrameObjects first = study({mug_, box_});
+  const FrameObjects first = showFrames({mug_, box_});
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
-  for (int i = 0; i < 20; ++i) static_cast<void>(look({mug_}));
-  const Thing box_again{box_.seed, box_.place, RegionId{99}};
+  for (int i = 0; i < 20; ++i) static_cast<void>(showFrame({mug_}));
+  const TableItem box_again{box_.seed, box_.place, RegionId{99}};
   collector_->splitRegion(mug_.region, box_again.region);
   for (int i = 0; i < 2 * IdentityResolver::kFramesToMerge; ++i)
-    EXPECT_TRUE(look({mug_, box_again}).merged.empty());
+    EXPECT_TRUE(showFrame({mug_, box_again}).merged.empty());
   EXPECT_EQ(objects().size(), 2U);
   EXPECT_EQ(collector_->objects().idOf(mug_.region), first.added.at(0).id);
   EXPECT_EQ(collector_->objects().idOf(box_again.region), first.added.at(1).id);
@@ -106,46 +106,46 @@ TEST_F(ObjectCollectorEditsTest, ObjectStays_WhenOnlyAPartOfItIsJoined) {
   const RegionId handle{14};
   Candidate mug = mug_.candidate();
   mug.regions.add(handle);
-  for (int i = 0; i < 40; ++i) static_cast<void>(lookAt({mug, box_.candidate()}, {mug_, box_}));
+  for (int i = 0; i < 40; ++i) static_cast<void>(showCandidates({mug, box_.candidate()}, {mug_, box_}));
   ASSERT_EQ(objects().size(), 2U);
   collector_->joinRegions(box_.region, handle, ObjectCollector::JoinedBy::frames);
-  static_cast<void>(look({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
   ASSERT_TRUE(collector_->finish([](const FrameObjects&) {}));
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorEditsTest, JoinedRegionsMerge_WhenTheScanEnds) {
-  static_cast<void>(study({mug_, box_}));
+  static_cast<void>(showFrames({mug_, box_}));
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
-  static_cast<void>(look({mug_}));
+  static_cast<void>(showFrame({mug_}));
   ASSERT_TRUE(collector_->finish([](const FrameObjects&) {}));
   EXPECT_EQ(objects().size(), 1U);
 }
 
 TEST_F(ObjectCollectorEditsTest, ObjectsThatUsersEditedStayTwo_WhenTheirRegionsJoin) {
-  const FrameObjects first = study({mug_, box_, cup_});
+  const FrameObjects first = showFrames({mug_, box_, cup_});
   ASSERT_TRUE(person_->rename(first.added.at(0).id, "my mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{first.added.at(1).id}, true));
-  static_cast<void>(look({mug_, box_, cup_}));
+  static_cast<void>(showFrame({mug_, box_, cup_}));
   collector_->joinRegions(mug_.region, box_.region);
-  EXPECT_TRUE(look({mug_, cup_}).merged.empty());
+  EXPECT_TRUE(showFrame({mug_, cup_}).merged.empty());
   // A merge with an object that no user edited keeps the name.
   collector_->joinRegions(cup_.region, mug_.region);
-  ASSERT_EQ(look({cup_}).merged.size(), 1U);
+  ASSERT_EQ(showFrame({cup_}).merged.size(), 1U);
   EXPECT_EQ(collected(collector_->objects().idOf(cup_.region)).name, "my mug");
 }
 
 TEST_F(ObjectCollectorEditsTest, JoinedRegionIsTheOtherObject_WhenItsOwnWasDeleted) {
-  const FrameObjects first = study({mug_, box_});
+  const FrameObjects first = showFrames({mug_, box_});
   ASSERT_TRUE(person_->remove(std::array{first.added.at(0).id}));
-  static_cast<void>(look({}));
+  static_cast<void>(showFrame({}));
   collector_->joinRegions(mug_.region, box_.region);
-  EXPECT_TRUE(look({mug_}).merged.empty());
+  EXPECT_TRUE(showFrame({mug_}).merged.empty());
   EXPECT_EQ(collector_->objects().idOf(mug_.region), first.added.at(1).id);
 }
 
 TEST_F(ObjectCollectorEditsTest, ObjectOfAnotherProgramIsRecognized) {
-  static_cast<void>(study({box_}));
+  static_cast<void>(showFrames({box_}));
   const Candidate candidate = mug_.candidate();
   RgbdFrame frame;
   frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 20, 10));
@@ -154,21 +154,21 @@ TEST_F(ObjectCollectorEditsTest, ObjectOfAnotherProgramIsRecognized) {
   const Result<ObjectRecord> other =
       person_->addObject(*cropView(frame, Eigen::Isometry3d::Identity(), inColor(), candidate));
   ASSERT_TRUE(other);
-  const FrameObjects seen = study({mug_});
+  const FrameObjects seen = showFrames({mug_});
   ASSERT_EQ(seen.recognized.size(), 1U);
   EXPECT_EQ(seen.recognized[0].id, other->id);
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorEditsTest, PartsOfADeletedObjectAreNotAdded) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->remove(std::array{mug}));
-  static_cast<void>(look({mug_}));
-  Thing handle{4, 2, RegionId{78}};
+  static_cast<void>(showFrame({mug_}));
+  TableItem handle{4, 2, RegionId{78}};
   collector_->splitRegion(mug_.region, handle.region);
-  EXPECT_TRUE(study({handle}).added.empty());
+  EXPECT_TRUE(showFrames({handle}).added.empty());
   handle.region = RegionId{79};
-  EXPECT_EQ(study({{5, 1, RegionId{80}}}).added.size(), 1U) << "what is nobody's part is";
+  EXPECT_EQ(showFrames({{5, 1, RegionId{80}}}).added.size(), 1U) << "an item that is no part is added";
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace scantrove::test {
 
-/// Shows things on a table to an ObjectCollector.
+/// Passes frames of items on a table to an ObjectCollector.
 class ObjectCollectorFixture : public TableFixture {
  protected:
   void SetUp() override {
@@ -35,18 +35,18 @@ class ObjectCollectorFixture : public TableFixture {
   /// Waits until all results are stored and all changes by others are known.
   void settle() { ASSERT_TRUE(collector_->settle(std::chrono::seconds(60))); }
 
-  /// Collects one frame with `things` from a direction about the vertical. Includes its stored results,
+  /// Collects one frame with `items` from a direction about the vertical. Includes its stored results,
   /// unless waits_ is false.
-  FrameObjects look(const std::vector<Thing>& things, double degrees = 0) {
+  FrameObjects showFrame(const std::vector<TableItem>& items, double degrees = 0) {
     std::vector<Candidate> candidates;
-    for (const Thing& thing : things) candidates.push_back(thing.candidate());
-    return lookAt(candidates, things, degrees);
+    for (const TableItem& item : items) candidates.push_back(item.candidate());
+    return showCandidates(candidates, items, degrees);
   }
-  FrameObjects lookAt(const std::vector<Candidate>& candidates, const std::vector<Thing>& things,
-                      double degrees = 0) {
+  FrameObjects showCandidates(const std::vector<Candidate>& candidates, const std::vector<TableItem>& items,
+                              double degrees = 0) {
     if (waits_) settle();
-    const Shot shot = shoot(things, degrees);
-    FrameObjects objects = collector_->collect(shot.frame, shot.T_world_camera, shot.in_color, candidates);
+    const TestFrame taken = takeFrame(items, degrees);
+    FrameObjects objects = collector_->collect(taken.frame, taken.T_world_camera, taken.in_color, candidates);
     if (!waits_) return objects;
     settle();
     addEvents(objects);
@@ -65,10 +65,10 @@ class ObjectCollectorFixture : public TableFixture {
 
   /// Collects enough such frames to decide that an object is unknown; all results together, `seen` as in
   /// the last.
-  FrameObjects study(const std::vector<Thing>& things, double degrees = 0) {
+  FrameObjects showFrames(const std::vector<TableItem>& items, double degrees = 0) {
     FrameObjects all;
     for (int i = 0; i <= RecognitionHistory::kAttemptsToGiveUp * RecognitionHistory::kFramesApart; ++i) {
-      FrameObjects one = look(things, degrees);
+      FrameObjects one = showFrame(items, degrees);
       std::ranges::move(one.added, std::back_inserter(all.added));
       std::ranges::move(one.recognized, std::back_inserter(all.recognized));
       std::ranges::move(one.new_views, std::back_inserter(all.new_views));
@@ -79,10 +79,10 @@ class ObjectCollectorFixture : public TableFixture {
     return all;
   }
 
-  /// A frame without the thing, taken from the origin; all readings are at `z_m`.
-  void lookAtPlaceOf(const Thing& thing, float z_m) {
-    static_cast<void>(look({}));
-    const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(thing.centroid().x(), 0, 0));
+  /// A frame without the item, taken from the origin; all readings are at `z_m`.
+  void showPlaceOf(const TableItem& item, float z_m) {
+    static_cast<void>(showFrame({}));
+    const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(item.centroid().x(), 0, 0));
     const Intrinsics K{160, 160, 159.5F, 119.5F, 320, 240};
     collector_->checkPlaces({K, T_world_camera, cv::Mat(240, 320, CV_32FC1, cv::Scalar(z_m))}, kDepthNoise_m);
   }

@@ -9,15 +9,15 @@
 namespace scantrove {
 namespace {
 
-using test::Thing;
+using test::TableItem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
 class ObjectTracksTest : public test::PartsFixture {
  protected:
-  /// A later frame, taken in front of the thing; all depth is at `z_m`.
-  void checkPlaceOf(const Thing& thing, float z_m) {
-    const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(thing.centroid().x(), 0, 0));
+  /// A later frame, taken in front of the item; all depth is at `z_m`.
+  void checkPlaceOf(const TableItem& item, float z_m) {
+    const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(item.centroid().x(), 0, 0));
     const Intrinsics K{160, 160, 159.5F, 119.5F, 320, 240};
     tracks_->checkPlaces({K, T_world_camera, cv::Mat(240, 320, CV_32FC1, cv::Scalar(z_m))}, kDepthNoise_m,
                          kLater);
@@ -45,7 +45,7 @@ TEST_F(ObjectTracksTest, ObjectIsNotMissing_WhenItIsHiddenOrSeenOrUnmeasured) {
 TEST_F(ObjectTracksTest, ObjectHasMoved_WhenItIsObservedElsewhereUnderAnotherRegion) {
   const ObjectId mug = add(mug_);
   EXPECT_FALSE(tracks_->hasMoved(mug));
-  tracks_->observe(mug, Thing{mug_.seed, 2, RegionId{77}}.candidate(), kLater);
+  tracks_->observe(mug, TableItem{mug_.seed, 2, RegionId{77}}.candidate(), kLater);
   EXPECT_TRUE(tracks_->hasMoved(mug));
   EXPECT_EQ(tracks_->objectOf(RegionId{77}), mug);
 }
@@ -53,7 +53,7 @@ TEST_F(ObjectTracksTest, ObjectHasMoved_WhenItIsObservedElsewhereUnderAnotherReg
 TEST_F(ObjectTracksTest, NearestObjectIsNotFound_WhenItWasObservedSince) {
   const ObjectId mug = add(mug_);
   const auto any = [](ObjectId) { return true; };
-  const Candidate here = Thing{5, mug_.place, RegionId{77}}.candidate();
+  const Candidate here = TableItem{5, mug_.place, RegionId{77}}.candidate();
   EXPECT_EQ(tracks_->nearest(here, kLater, any), mug);
   EXPECT_FALSE(tracks_->nearest(here, kLater, [](ObjectId) { return false; }));
   tracks_->keepAlive(mug, kLater);
@@ -80,7 +80,7 @@ TEST_F(ObjectTracksTest, ObjectIsNone_WhenRegionsBelongToSeveral) {
 TEST_F(ObjectTracksTest, JoinReturnsBothObjects_WhenTheyDiffer) {
   const ObjectId mug = add(mug_), box = add(box_);
   EXPECT_EQ(tracks_->joinRegions(RegionId{77}, box_.region), std::pair(ObjectId{}, ObjectId{}))
-      << "the other was no object";
+      << "the other region was no object";
   EXPECT_EQ(tracks_->objectOf(RegionId{77}), box);
   EXPECT_EQ(tracks_->joinRegions(mug_.region, RegionId{77}), std::pair(mug, box));
   EXPECT_EQ(tracks_->objectOf(mug_.region), mug);

@@ -37,18 +37,18 @@ class PartsFixture : public TableFixture {
     views_->setParams(params);
   }
 
-  /// Makes the thing an object with a view from that direction. Returns its key.
-  ObjectId add(const Thing& thing, double degrees = 0) {
-    const Shot shot = shoot({thing}, degrees);
-    const ObjectId object = views_->addObject(thing.candidate(), shot.observed());
+  /// Adds an object for the item with a view from that direction. Result: its key.
+  ObjectId add(const TableItem& item, double degrees = 0) {
+    const TestFrame taken = takeFrame({item}, degrees);
+    const ObjectId object = views_->addObject(item.candidate(), taken.observed());
     EXPECT_TRUE(object);
-    tracks_->observe(object, thing.candidate(), shot.frame.index);
-    tracks_->viewsOf(object).keep(shot.observed().directionOf(thing.candidate()));
+    tracks_->observe(object, item.candidate(), taken.frame.index);
+    tracks_->viewsOf(object).keep(taken.observed().directionOf(item.candidate()));
     return object;
   }
-  /// Adds another view of it.
-  void addView(ObjectId object, const Thing& thing, const Candidate& candidate, double degrees) {
-    views_->addView(object, candidate, shoot({thing}, degrees).observed());
+  /// Adds another view of the object.
+  void addView(ObjectId object, const TableItem& item, const Candidate& candidate, double degrees) {
+    views_->addView(object, candidate, takeFrame({item}, degrees).observed());
   }
   /// Compares all views with that map.
   void compareWith(const RenderedView& map) {

@@ -8,13 +8,13 @@
 namespace scantrove {
 namespace {
 
-using test::Thing;
+using test::TableItem;
 
-/// Four things in a room, all known from another scan.
+/// Four objects in a room, all known from another scan.
 class RecognizerPlacesTest : public test::ObjectCollectorFixture {
  protected:
   struct Placed {
-    Thing thing;
+    TableItem item;
     Eigen::Vector3f at;
   };
 
@@ -24,19 +24,19 @@ class RecognizerPlacesTest : public test::ObjectCollectorFixture {
     jar_id_ = studyPlaced({jar_}).added.at(0).id;
     beginScan();
   }
-  /// Enough frames to decide about each thing, in a world transformed by `T`.
+  /// Enough frames to decide about each item, in a world transformed by `T`.
   FrameObjects studyPlaced(const std::vector<Placed>& placed,
                            const Eigen::Isometry3f& T = Eigen::Isometry3f::Identity()) {
     FrameObjects all;
     for (int i = 0; i < 40; ++i) {
       std::vector<Candidate> candidates;
-      std::vector<Thing> things;
+      std::vector<TableItem> items;
       for (const Placed& one : placed) {
-        things.push_back(one.thing);
-        candidates.push_back(one.thing.candidate());
+        items.push_back(one.item);
+        candidates.push_back(one.item.candidate());
         candidates.back().centroid_world = T * one.at;
       }
-      FrameObjects objects = lookAt(candidates, things);
+      FrameObjects objects = showCandidates(candidates, items);
       std::ranges::move(objects.added, std::back_inserter(all.added));
       std::ranges::move(objects.recognized, std::back_inserter(all.recognized));
     }
@@ -45,7 +45,7 @@ class RecognizerPlacesTest : public test::ObjectCollectorFixture {
   /// The jar in other light from another side: too different to be recognised by that alone.
   [[nodiscard]] Placed jarInOtherLight() const {
     Placed jar = jar_;
-    jar.thing.change = kOtherLight;
+    jar.item.change = kOtherLight;
     return jar;
   }
 
@@ -75,21 +75,22 @@ TEST_F(RecognizerPlacesTest, AddsANewObject_AtAnotherPlace) {
 
 TEST_F(RecognizerPlacesTest, AddsANewObject_WhenTwoObjectsDoNotFixThePlace) {
   static_cast<void>(studyPlaced({three_[0], three_[1]}, T_now_then_));
-  EXPECT_EQ(studyPlaced({jarInOtherLight()}, T_now_then_).added.size(), 1U) << "two tell no place";
+  EXPECT_EQ(studyPlaced({jarInOtherLight()}, T_now_then_).added.size(), 1U)
+      << "two objects do not fix a place";
 }
 
 TEST_F(RecognizerPlacesTest, AddsANewObject_WhenAppearanceOrSizeDiffers) {
   static_cast<void>(studyPlaced(three_, T_now_then_));
   Placed other = jar_;
-  other.thing.seed = 6;
+  other.item.seed = 6;
   EXPECT_EQ(studyPlaced({other}, T_now_then_).added.size(), 1U);
   Placed larger = jarInOtherLight();
-  larger.thing.region = RegionId{15};
-  Candidate candidate = larger.thing.candidate();
+  larger.item.region = RegionId{15};
+  Candidate candidate = larger.item.candidate();
   candidate.centroid_world = T_now_then_ * larger.at;
   candidate.size_m *= 1.5F;
-  for (int i = 0; i < 40; ++i) static_cast<void>(lookAt({candidate}, {larger.thing}));
-  EXPECT_NE(collector_->objects().idOf(larger.thing.region), jar_id_);
+  for (int i = 0; i < 40; ++i) static_cast<void>(showCandidates({candidate}, {larger.item}));
+  EXPECT_NE(collector_->objects().idOf(larger.item.region), jar_id_);
 }
 
 TEST_F(RecognizerPlacesTest, RecognizesByPlace_WhenThePlaceIsKnownOnlyAtTheEnd) {
@@ -98,12 +99,12 @@ TEST_F(RecognizerPlacesTest, RecognizesByPlace_WhenThePlaceIsKnownOnlyAtTheEnd) 
   collector_->beginRefinement();
   collector_->settleComplete({}, [](RegionId) { return false; });
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
-  ASSERT_EQ(found.recognized.size(), 1U) << "which is said";
+  ASSERT_EQ(found.recognized.size(), 1U) << "the recognition is reported";
   EXPECT_EQ(found.recognized[0].id, jar_id_);
   collector_->endRefinement();
   settle();
   static_cast<void>(collector_->applyCatalogueChanges());
-  EXPECT_EQ(collector_->objects().idOf(jar_.thing.region), jar_id_);
+  EXPECT_EQ(collector_->objects().idOf(jar_.item.region), jar_id_);
   EXPECT_EQ(*person_->mergeRoot(taken_for_new), jar_id_);
   EXPECT_EQ(objects().size(), 4U);
 }

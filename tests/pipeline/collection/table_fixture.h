@@ -19,8 +19,9 @@ namespace scantrove::test {
 inline const Intrinsics kWorking{150, 150, 80, 60, 160, 120};
 inline const Eigen::Vector3f kSize(0.2F, 0.15F, 0.1F);
 
-/// A thing on a table as discovery finds it: each seed has another appearance, each thing its own place.
-struct Thing {
+/// An object on a table as a candidate of discovery: each seed has another appearance, each item its own
+/// place.
+struct TableItem {
   int seed = 0;
   int place = 0;
   RegionId region;
@@ -54,8 +55,8 @@ struct Thing {
   }
 };
 
-/// A frame of things on a table, and its pose.
-struct Shot {
+/// A frame of items on a table, with its pose.
+struct TestFrame {
   RgbdFrame frame;
   Eigen::Isometry3d T_world_camera;
   SurfaceInColor in_color;
@@ -63,7 +64,7 @@ struct Shot {
   [[nodiscard]] ObservedFrame observed() const { return {frame, T_world_camera, in_color}; }
 };
 
-/// Things on a table, and a catalogue that another program has open, too.
+/// Items on a table, and a catalogue that another program has open too.
 class TableFixture : public testing::Test {
  protected:
   void SetUp() override {
@@ -78,33 +79,33 @@ class TableFixture : public testing::Test {
   }
   [[nodiscard]] std::string file() const { return (folder_ / "catalogue.sqlite").string(); }
 
-  /// The next frame: `things` from a direction about the vertical.
-  [[nodiscard]] Shot shoot(const std::vector<Thing>& things, double degrees = 0) {
-    Shot shot;
-    shot.frame.index = frame_++;
-    shot.frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 50, 60));
-    shot.frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
-    for (const Thing& thing : things) thing.paint(shot.frame.color);
+  /// The next frame: `items` from a direction about the vertical.
+  [[nodiscard]] TestFrame takeFrame(const std::vector<TableItem>& items, double degrees = 0) {
+    TestFrame taken;
+    taken.frame.index = frame_++;
+    taken.frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 50, 60));
+    taken.frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
+    for (const TableItem& item : items) item.paint(taken.frame.color);
     const double angle = degrees * 3.14159265 / 180;
-    shot.T_world_camera = Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle));
-    shot.in_color = inColor();
-    return shot;
+    taken.T_world_camera = Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle));
+    taken.in_color = inColor();
+    return taken;
   }
   static SurfaceInColor inColor() { return locateInColor(std::nullopt, {kWorking}); }
 
-  /// The final map rendered from a frame: the thing's region fills its view's mask, or only a part; the
+  /// The final map rendered from a frame: the item's region fills its view's mask, or only a part; the
   /// surface is `surface_m` ahead.
-  [[nodiscard]] static RenderedView mapWith(const Thing& thing, double part, float surface_m = 1) {
+  [[nodiscard]] static RenderedView mapWith(const TableItem& item, double part, float surface_m = 1) {
     RenderedView map;
     map.K = kWorking;
     map.regions.assign(static_cast<std::size_t>(kWorking.pixels()), RegionId{1});
     map.vertices_world.assign(map.regions.size(), {0, 0, surface_m, 1});
-    const Candidate candidate = thing.candidate();
+    const Candidate candidate = item.candidate();
     for (int v = 0; v < static_cast<int>(part * candidate.mask.rows); ++v) {
       for (int u = 0; u < candidate.mask.cols; ++u) {
         if (candidate.mask.at<unsigned char>(v, u) == 0) continue;
         const cv::Point at = candidate.box_px.tl() + cv::Point(u, v);
-        map.regions[static_cast<std::size_t>(at.y * map.K.width + at.x)] = thing.region;
+        map.regions[static_cast<std::size_t>(at.y * map.K.width + at.x)] = item.region;
       }
     }
     return map;
@@ -132,9 +133,9 @@ class TableFixture : public testing::Test {
   std::unique_ptr<ObjectDatabase> person_;  // the window, or another program
   int frame_ = 0;
 
-  const Thing mug_{1, 0, RegionId{11}};
-  const Thing box_{2, 1, RegionId{12}};
-  const Thing cup_{3, 2, RegionId{13}};
+  const TableItem mug_{1, 0, RegionId{11}};
+  const TableItem box_{2, 1, RegionId{12}};
+  const TableItem cup_{3, 2, RegionId{13}};
 };
 
 }  // namespace scantrove::test

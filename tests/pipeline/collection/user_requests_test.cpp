@@ -10,24 +10,24 @@ namespace scantrove {
 namespace {
 
 using test::OtherProgram;
-using test::Thing;
+using test::TableItem;
 using testing::AllOf;
 using testing::HasSubstr;
 
 class UserRequestsTest : public test::ObjectCollectorFixture {
  protected:
   /// Reports a region's new name, as the pipeline does.
-  void name(const Thing& thing, const std::string& name) {
-    collector_->requests().name(thing.region, name);
-    collector_->requests().request(thing.region, name);
+  void name(const TableItem& item, const std::string& name) {
+    collector_->requests().name(item.region, name);
+    collector_->requests().request(item.region, name);
   }
   /// Reports that the region lost its name.
-  void unname(const Thing& thing, const std::string& name) {
-    collector_->requests().undoName(thing.region, name);
-    collector_->requests().cancel(thing.region);
+  void unname(const TableItem& item, const std::string& name) {
+    collector_->requests().undoName(item.region, name);
+    collector_->requests().cancel(item.region);
   }
-  static Candidate part(const Thing& thing) {
-    Candidate candidate = thing.candidate();
+  static Candidate part(const TableItem& item) {
+    Candidate candidate = item.candidate();
     candidate.is_complete = false;
     candidate.outline = 0.2F;
     return candidate;
@@ -40,32 +40,32 @@ class UserRequestsTest : public test::ObjectCollectorFixture {
 };
 
 TEST_F(UserRequestsTest, ObjectIsNamed_UntilTheNameIsUndone) {
-  const ObjectId mug = study({mug_, box_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_, box_}).added.at(0).id;
   name(mug_, "blue mug");
-  const FrameObjects seen = look({mug_, box_});
+  const FrameObjects seen = showFrame({mug_, box_});
   EXPECT_EQ(seen.seen[0].name, "blue mug");
   EXPECT_TRUE(seen.seen[0].confirmed);
   EXPECT_EQ(record(mug).name, "blue mug");
   EXPECT_TRUE(record(mug).confirmed);
   unname(mug_, "blue mug");
-  EXPECT_EQ(look({mug_, box_}).seen[0].name, "Obj_1");
+  EXPECT_EQ(showFrame({mug_, box_}).seen[0].name, "Obj_1");
   EXPECT_EQ(record(mug).name, "Obj_1");
   EXPECT_FALSE(record(mug).confirmed);
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(UserRequestsTest, UndoKeepsAnotherName_GivenSince) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   name(mug_, "mug");
   settle();
   ASSERT_TRUE(person_->rename(mug, "jug"));
   unname(mug_, "mug");
-  static_cast<void>(look({mug_}));
+  static_cast<void>(showFrame({mug_}));
   EXPECT_EQ(record(mug).name, "jug");
 }
 
 TEST_F(UserRequestsTest, RedoKeepsAnotherName_WhenOthersMergedTheObject) {
-  const FrameObjects found = study({mug_, box_});
+  const FrameObjects found = showFrames({mug_, box_});
   const ObjectId mug = found.added.at(0).id, box = found.added.at(1).id;
   name(box_, "cup");
   settle();
@@ -73,20 +73,20 @@ TEST_F(UserRequestsTest, RedoKeepsAnotherName_WhenOthersMergedTheObject) {
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
   ASSERT_TRUE(person_->merge(std::array{mug, box}));
   ASSERT_EQ(person_->mergeRoot(box).value_or(ObjectId{}), mug);
-  static_cast<void>(look({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
   unname(box_, "cup");
-  static_cast<void>(look({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
   EXPECT_EQ(record(mug).name, "mug");
   collector_->requests().redoName(box_.region, "cup");
-  EXPECT_EQ(look({mug_, box_}).seen[1].name, "mug");
-  EXPECT_EQ(record(mug).name, "mug") << "the other's object keeps its name";
+  EXPECT_EQ(showFrame({mug_, box_}).seen[1].name, "mug");
+  EXPECT_EQ(record(mug).name, "mug") << "the object merged by others keeps its name";
   EXPECT_EQ(objects().size(), 1U);
 }
 
 TEST_F(UserRequestsTest, NamedRegionBecomesAnObject_WhenItIsSeenInPart) {
   name(mug_, "mug");
-  for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(look({}).added.empty());
-  const FrameObjects seen = lookAt({part(mug_)}, {mug_});
+  for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(showFrame({}).added.empty());
+  const FrameObjects seen = showCandidates({part(mug_)}, {mug_});
   ASSERT_EQ(seen.added.size(), 1U);
   EXPECT_EQ(seen.seen[0].name, "mug");
   ASSERT_EQ(objects().size(), 1U);
@@ -99,7 +99,7 @@ TEST_F(UserRequestsTest, NamedRegionBecomesAnObject_WhenItIsSeenInPart) {
 TEST_F(UserRequestsTest, RequestFollowsItsRegion_WhenThatIsJoined) {
   name(mug_, "mug");
   collector_->joinRegions(box_.region, mug_.region);
-  static_cast<void>(lookAt({part(box_)}, {box_}));
+  static_cast<void>(showCandidates({part(box_)}, {box_}));
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].name, "mug");
 }
@@ -107,120 +107,120 @@ TEST_F(UserRequestsTest, RequestFollowsItsRegion_WhenThatIsJoined) {
 TEST_F(UserRequestsTest, NothingIsAdded_WhenTheRequestIsCancelled) {
   name(mug_, "mug");
   collector_->requests().cancel(mug_.region);
-  for (int frame = 0; frame < 3; ++frame) static_cast<void>(lookAt({part(mug_)}, {mug_}));
+  for (int frame = 0; frame < 3; ++frame) static_cast<void>(showCandidates({part(mug_)}, {mug_}));
   EXPECT_TRUE(objects().empty());
 }
 
 TEST_F(UserRequestsTest, RegionJoinsTheObjectOfThatName) {
-  static_cast<void>(study({mug_}));
+  static_cast<void>(showFrames({mug_}));
   name(mug_, "mug");
-  static_cast<void>(look({mug_}));
+  static_cast<void>(showFrame({mug_}));
   // Another appearance in a later scan, which is not recognised.
   beginScan();
-  const Thing again{7, 1, RegionId{44}};
+  const TableItem again{7, 1, RegionId{44}};
   name(again, "mug");
-  const FrameObjects seen = look({again});
+  const FrameObjects seen = showFrame({again});
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].name, "mug");
   EXPECT_EQ(objects()[0].views, 2);
   EXPECT_EQ(collector_->objects().idOf(again.region), objects()[0].id);
   EXPECT_EQ(seen.seen[0].object, objects()[0].id);
   unname(again, "mug");
-  static_cast<void>(look({again}));
-  EXPECT_EQ(objects().size(), 1U) << "what was made for the name is gone with it";
+  static_cast<void>(showFrame({again}));
+  EXPECT_EQ(objects().size(), 1U) << "the object made for the name is removed";
   EXPECT_EQ(record(objects()[0].id).views, 1);
-  static_cast<void>(study({again}));
-  EXPECT_EQ(objects().size(), 2U) << "frames find it by themselves";
+  static_cast<void>(showFrames({again}));
+  EXPECT_EQ(objects().size(), 2U) << "frames found it without a request";
 }
 
 TEST_F(UserRequestsTest, UndoRemovesOnlyObjects_MadeForTheName) {
-  const ObjectId box = study({box_}).added.at(0).id;
+  const ObjectId box = showFrames({box_}).added.at(0).id;
   name(box_, "box");
   name(mug_, "mug");
-  static_cast<void>(lookAt({part(mug_), box_.candidate()}, {mug_, box_}));
+  static_cast<void>(showCandidates({part(mug_), box_.candidate()}, {mug_, box_}));
   ASSERT_EQ(objects().size(), 2U);
   unname(mug_, "mug");
   unname(box_, "box");
-  static_cast<void>(look({}));
-  ASSERT_EQ(objects().size(), 1U) << "the scan had found the box";
+  static_cast<void>(showFrame({}));
+  ASSERT_EQ(objects().size(), 1U) << "the box is an object of the scan";
   EXPECT_EQ(objects()[0].id, box);
   EXPECT_FALSE(collector_->objects().idOf(mug_.region));
-  static_cast<void>(study({mug_}));
-  EXPECT_EQ(objects().size(), 2U) << "frames find it by themselves";
+  static_cast<void>(showFrames({mug_}));
+  EXPECT_EQ(objects().size(), 2U) << "frames found it without a request";
 }
 
 TEST_F(UserRequestsTest, UndoRemovesTheObject_MadeForTheRequest) {
   collector_->requests().request(mug_.region, "");
-  static_cast<void>(lookAt({part(mug_)}, {mug_}));
+  static_cast<void>(showCandidates({part(mug_)}, {mug_}));
   ASSERT_EQ(objects().size(), 1U);
   ASSERT_EQ(collector_->requests().storedNamings().at(mug_.region).at(0).made, objects()[0].id);
   collector_->requests().undoObject(mug_.region);
-  static_cast<void>(look({}));
+  static_cast<void>(showFrame({}));
   EXPECT_TRUE(objects().empty());
 }
 
 TEST_F(UserRequestsTest, NamingsOfAnEarlierScanAreUndone) {
   name(mug_, "mug");
-  static_cast<void>(lookAt({part(mug_)}, {mug_}));
+  static_cast<void>(showCandidates({part(mug_)}, {mug_}));
   collector_->requests().request(box_.region, "");
-  static_cast<void>(lookAt({part(box_)}, {box_}));
+  static_cast<void>(showCandidates({part(box_)}, {box_}));
   ASSERT_EQ(objects().size(), 2U);
   std::map<RegionId, ObjectId> bound;
-  for (const Thing& thing : {mug_, box_}) bound[thing.region] = collector_->objects().idOf(thing.region);
-  const auto kept = collector_->requests().storedNamings();
+  for (const TableItem& item : {mug_, box_}) bound[item.region] = collector_->objects().idOf(item.region);
+  const auto stored = collector_->requests().storedNamings();
   settle();
   beginScan();
-  for (const auto& [region, namings] : kept) {
+  for (const auto& [region, namings] : stored) {
     collector_->bind(region, bound.at(region));
     collector_->requests().restoreNamings(region, namings);
   }
-  EXPECT_EQ(collector_->requests().storedNamings().size(), 2U) << "they stay kept";
+  EXPECT_EQ(collector_->requests().storedNamings().size(), 2U) << "they stay stored";
   unname(mug_, "mug");
   collector_->requests().undoObject(box_.region);
-  static_cast<void>(look({}));
+  static_cast<void>(showFrame({}));
   EXPECT_TRUE(objects().empty());
   EXPECT_TRUE(collector_->requests().storedNamings().empty());
 }
 
 TEST_F(UserRequestsTest, NamingsOfAnotherCatalogueAreNotUndone) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   name(mug_, "mug");
   settle();
   beginScan();
-  StoredNaming stranger;
-  stranger.naming = {ObjectId{99}, "mug", "Obj_9"};
-  stranger.made = ObjectId{99};
-  collector_->requests().restoreNamings(mug_.region, {stranger});
+  StoredNaming foreign;
+  foreign.naming = {ObjectId{99}, "mug", "Obj_9"};
+  foreign.made = ObjectId{99};
+  collector_->requests().restoreNamings(mug_.region, {foreign});
   EXPECT_TRUE(collector_->requests().storedNamings().empty());
   unname(mug_, "mug");
-  static_cast<void>(look({}));
+  static_cast<void>(showFrame({}));
   EXPECT_EQ(record(mug).name, "mug");
 }
 
 TEST_F(UserRequestsTest, ObjectIsMerged_WhenAnotherHasItsName) {
-  const FrameObjects first = study({mug_, box_});
+  const FrameObjects first = showFrames({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
-  name(mug_, "thing");
-  name(box_, "thing");
-  const FrameObjects seen = look({mug_, box_});
+  name(mug_, "item");
+  name(box_, "item");
+  const FrameObjects seen = showFrame({mug_, box_});
   EXPECT_EQ(seen.seen[0].object, mug);
   EXPECT_EQ(seen.seen[1].object, mug);
   EXPECT_EQ(objects().size(), 1U);
-  unname(box_, "thing");
-  EXPECT_EQ(look({mug_, box_}).seen[1].object, box);
-  EXPECT_EQ(record(mug).name, "thing");
+  unname(box_, "item");
+  EXPECT_EQ(showFrame({mug_, box_}).seen[1].object, box);
+  EXPECT_EQ(record(mug).name, "item");
   EXPECT_EQ(record(box).name, "Obj_2");
 }
 
 TEST_F(UserRequestsTest, RegionBecomesAnObjectOfItsOwn_WhenItsObjectHasAnotherName) {
   Candidate both = mug_.candidate();
   both.regions = {mug_.region, box_.region};
-  for (int frame = 0; frame < 20; ++frame) static_cast<void>(lookAt({both}, {mug_}));
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(showCandidates({both}, {mug_}));
   ASSERT_EQ(objects().size(), 1U);
   name(mug_, "mug");
-  static_cast<void>(look({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
   name(box_, "handle");
-  static_cast<void>(look({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
   ASSERT_EQ(objects().size(), 2U);
   EXPECT_EQ(objects()[0].name, "mug");
   EXPECT_EQ(objects()[1].name, "handle");
@@ -228,60 +228,60 @@ TEST_F(UserRequestsTest, RegionBecomesAnObjectOfItsOwn_WhenItsObjectHasAnotherNa
 }
 
 TEST_F(UserRequestsTest, RegionChangesItsObject_WhenUsersNamedBoth) {
-  const FrameObjects first = study({mug_, box_});
+  const FrameObjects first = showFrames({mug_, box_});
   name(mug_, "mug");
   name(box_, "box");
-  static_cast<void>(look({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
   name(box_, "mug");  // the region was not the box
-  for (int frame = 0; frame < 3; ++frame) static_cast<void>(look({mug_, box_}));
-  EXPECT_EQ(record(first.added.at(1).id).name, "box") << "there is one, all the same";
+  for (int frame = 0; frame < 3; ++frame) static_cast<void>(showFrame({mug_, box_}));
+  EXPECT_EQ(record(first.added.at(1).id).name, "box") << "an object is added nevertheless";
   EXPECT_EQ(collector_->objects().idOf(box_.region), first.added.at(0).id);
   collector_->requests().undoName(box_.region, "mug");
-  static_cast<void>(look({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
   EXPECT_EQ(collector_->objects().idOf(box_.region), first.added.at(1).id);
 }
 
 TEST_F(UserRequestsTest, NameMakesANewObject_WhenTheOldOneWasDeleted) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->remove(std::array{mug}));
-  static_cast<void>(look({mug_}));
+  static_cast<void>(showFrame({mug_}));
   name(mug_, "mug");
-  static_cast<void>(look({mug_}));
+  static_cast<void>(showFrame({mug_}));
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_NE(objects()[0].id, mug);
   EXPECT_EQ(objects()[0].name, "mug");
 }
 
 TEST_F(UserRequestsTest, RefusedNameIsReportedOnce) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   name(mug_, "12");
-  const FrameObjects seen = look({mug_});
+  const FrameObjects seen = showFrame({mug_});
   ASSERT_TRUE(seen.catalogue_failure);
   EXPECT_THAT(seen.catalogue_failure->message(), HasSubstr("'12'"));
-  EXPECT_FALSE(look({mug_}).catalogue_failure);
+  EXPECT_FALSE(showFrame({mug_}).catalogue_failure);
   EXPECT_EQ(record(mug).name, "Obj_1");
 }
 
 TEST_F(UserRequestsTest, NamesHold_WhileTheCatalogueIsLocked) {
-  static_cast<void>(study({mug_, box_}));
+  static_cast<void>(showFrames({mug_, box_}));
   waits_ = false;
   {
     OtherProgram other(file());
     other.execute("BEGIN IMMEDIATE");
     name(mug_, "mug");
     name(cup_, "cup");
-    FrameObjects seen = look({mug_, box_, cup_});
-    EXPECT_EQ(seen.seen[0].name, "mug") << "it is called so at once";
+    FrameObjects seen = showFrame({mug_, box_, cup_});
+    EXPECT_EQ(seen.seen[0].name, "mug") << "the name shows at once";
     collector_->joinRegions(mug_.region, box_.region);
-    seen = look({mug_, cup_});
+    seen = showFrame({mug_, cup_});
     other.execute("ROLLBACK");
   }
   settle();
   waits_ = true;
-  static_cast<void>(look({mug_, cup_}));
+  static_cast<void>(showFrame({mug_, cup_}));
   ASSERT_EQ(objects().size(), 2U);
   EXPECT_EQ(objects()[0].name, "mug");
-  EXPECT_EQ(objects()[0].views, 2) << "with those of the box";
+  EXPECT_EQ(objects()[0].views, 2) << "with the views of the box";
   EXPECT_EQ(objects()[1].name, "cup");
   EXPECT_TRUE(objects()[1].confirmed);
 }
@@ -289,7 +289,7 @@ TEST_F(UserRequestsTest, NamesHold_WhileTheCatalogueIsLocked) {
 TEST_F(UserRequestsTest, FinishReportsNames_ThatAreNotStored) {
   writer_.patience = std::chrono::milliseconds(100);
   beginScan();
-  static_cast<void>(study({mug_}));
+  static_cast<void>(showFrames({mug_}));
   OtherProgram other(file());
   waits_ = false;
   other.execute("BEGIN IMMEDIATE");
@@ -301,12 +301,12 @@ TEST_F(UserRequestsTest, FinishReportsNames_ThatAreNotStored) {
 }
 
 TEST_F(UserRequestsTest, NamingsAreStoredInTheSession) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
   name(mug_, "mug");
-  static_cast<void>(look({mug_}));
-  const auto kept = collector_->requests().storedNamings();
-  ASSERT_EQ(kept.size(), 1U);
-  const StoredNaming& naming = kept.at(mug_.region).at(0);
+  static_cast<void>(showFrame({mug_}));
+  const auto stored = collector_->requests().storedNamings();
+  ASSERT_EQ(stored.size(), 1U);
+  const StoredNaming& naming = stored.at(mug_.region).at(0);
   EXPECT_EQ(naming.naming.object, mug);
   EXPECT_EQ(naming.naming.earlier_name, "Obj_1");
   const std::vector<StoredNaming> read = namingsFromJson(namingsToJson({naming}));
@@ -318,13 +318,14 @@ TEST_F(UserRequestsTest, NamingsAreStoredInTheSession) {
 
 TEST_F(UserRequestsTest, RegionIsFixed_WhenAUserEditedOrDeletedItsObject) {
   const RegionId deleted{77}, unknown{999};
-  static_cast<void>(study({mug_, box_, Thing{33, 2, deleted}}));
+  static_cast<void>(showFrames({mug_, box_, TableItem{33, 2, deleted}}));
   ASSERT_TRUE(person_->rename(collector_->objects().idOf(box_.region), "my box"));
   ASSERT_TRUE(person_->remove(std::array{collector_->objects().idOf(deleted)}));
   settle();
   static_cast<void>(collector_->applyCatalogueChanges());
   EXPECT_TRUE(collector_->requests().isFixed(box_.region));
-  EXPECT_TRUE(collector_->requests().isFixed(deleted)) << "or its parts would be found again";
+  EXPECT_TRUE(collector_->requests().isFixed(deleted))
+      << "its regions stay bound, so its parts are not added again";
   EXPECT_FALSE(collector_->requests().isFixed(mug_.region));
   EXPECT_FALSE(collector_->requests().isFixed(unknown));
 }

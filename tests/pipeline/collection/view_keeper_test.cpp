@@ -197,8 +197,8 @@ TEST_F(ViewKeeperTest, MatchesAnotherSize_WhenSeenFromAnotherSide) {
   Candidate with_another_face = mug_.candidate();
   with_another_face.size_m *= 1.35F;
   const ObjectRecord& known = *catalogue_->record(mug);
-  EXPECT_FALSE(views_->matchesSize(known, with_another_face, shoot({mug_}, 21).observed()));
-  EXPECT_TRUE(views_->matchesSize(known, with_another_face, shoot({mug_}, 45).observed()));
+  EXPECT_FALSE(views_->matchesSize(known, with_another_face, takeFrame({mug_}, 21).observed()));
+  EXPECT_TRUE(views_->matchesSize(known, with_another_face, takeFrame({mug_}, 45).observed()));
   EXPECT_FALSE(views_->contradictsSize(known, with_another_face));
 }
 
