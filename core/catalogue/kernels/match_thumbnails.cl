@@ -1,7 +1,7 @@
 // Warped SSD with local shifts between queries and views (Torralba et al. 2008), relative to their energy:
 //   D = 2 sum (q(x + t) - v(x))^2 / (sum q(x + t)^2 + sum v(x)^2)        0 = the same, 2 = unrelated
 // over the three channels. score_warps: D at 16 x 16 for every warp of every pair. refine_matches: the best of these,
-// then the best of +-1 pixel at 32 x 32, then each pixel takes the best of its 3 x 3 neighbours.
+// then the best of +-1 pixel at 32 x 32, then each pixel uses the best of its 3 x 3 neighbours.
 // Sums are integers; 3 * 32 * 32 * 254^2 fits into 32 bits.
 #include "core/catalogue/kernels/thumbnail_layout.h"
 
@@ -36,7 +36,7 @@ kernel void score_warps(global const char* queries, global const char* views, gl
   scores[pair * THUMBNAIL_WARPS + warp] = quotient(sum16(ssd), sum16(energy));
 }
 
-// D at 32 x 32; q points at the pixel that falls on v's first.
+// D at 32 x 32; q points to the pixel that corresponds to the first one of v.
 inline float fine_distance(global const char* q, global const char* v, int* energy_out) {
   int16 ssd = 0, energy = 0;
   for (int row = 0; row < 3 * FINE_SIDE; ++row) {

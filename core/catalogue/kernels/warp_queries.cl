@@ -10,7 +10,7 @@ inline int pixel_or_zero(global const char* plane, const int y, const int x) {
 }
 
 // One work-item: pixel (x, y) of plane c of one variant; global = (32, 3 * 32, queries * 6).
-// queries: [query][3][32][32]; fine: [query][variant][3][40][40], the rim is not written.
+// queries: [query][3][32][32]; fine: [query][variant][3][40][40], the border is not written.
 kernel void warp_queries(global const char* queries, global char* fine, const int query_count) {
   const int x = get_global_id(0), row = get_global_id(1), copy = get_global_id(2);
   if (x >= FINE_SIDE || row >= 3 * FINE_SIDE || copy >= query_count * THUMBNAIL_VARIANTS) return;
@@ -30,7 +30,7 @@ kernel void warp_queries(global const char* queries, global char* fine, const in
 }
 
 // Means of 2 x 2 pixels, rounded half up. One work-item: pixel (x, y) of plane c of one variant;
-// global = (16, 3 * 16, queries * 6). coarse: [query][variant][3][18][18], the rim is not written.
+// global = (16, 3 * 16, queries * 6). coarse: [query][variant][3][18][18], the border is not written.
 kernel void shrink_queries(global const char* fine, global char* coarse, const int query_count) {
   const int x = get_global_id(0), row = get_global_id(1), copy = get_global_id(2);
   if (x >= COARSE_SIDE || row >= 3 * COARSE_SIDE || copy >= query_count * THUMBNAIL_VARIANTS) return;

@@ -1,14 +1,14 @@
 // Vertex and normal map of a depth plane, camera frame:
 //   V(u, v) = ((u - cx) z / fx, (v - cy) z / fy, z, 1),  N = dV/dv x dV/du, normalised: towards the camera.
-// A derivative is the central difference; where one neighbour has no reading or lies across a depth jump, the one-sided
-// difference; where both do, there is no normal. All 0 where there is no value.
+// A derivative is the central difference, or the one-sided difference if one neighbour has no reading or lies across a depth
+// jump. If both do, there is no normal. Missing values are all 0.
 // One work-item: LANES pixels in a row. plane: depth plane; vertices, normals: width * height, row by row.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/depth_plane.clh"
 
-// The difference over the two neighbours of a pixel of depth z, which stands in for one that is missing.
+// The difference of the two neighbours of a pixel of depth z; z replaces a missing neighbour.
 typedef struct Difference {
-  floatN after, before; /* z of the neighbours, 0 where one is missing */
+  floatN after, before; /* z of the neighbours, 0 if missing */
   floatN dz;
   intN exists;
 } Difference;

@@ -1,25 +1,25 @@
 #include "core/fusion/kernels/brick_field.clh"
 #include "core/fusion/kernels/ray_layout.h"
 
-// The depth at which each pixel's ray first goes from + to - in the signed distance: steps through the nearest voxels, as long
-// as their distance and a little more, find the pair of samples around it; then secant steps in the trilinear field find its zero.
-// A ray with a change from - to + first hits a surface from behind and gets none.
+// The depth at which each pixel's ray first changes from + to - in the signed distance. Steps slightly longer than the distance
+// of the nearest voxel find the pair of samples around it; then secant steps in the trilinear field find its zero.
+// A ray that changes from - to + first hits a surface from behind and gets no depth.
 //
-// One work-item: RAY_BLOCKS(LANES) blocks of LANES_X * LANES_Y pixels, side by side: while the voxels of one come from memory,
-// which takes most of the time, the next is looked at.
+// One work-item: RAY_BLOCKS(LANES) blocks of LANES_X * LANES_Y pixels, side by side. Memory accesses take most of the time, so
+// the blocks take turns while voxels load.
 // ranges: (nearest, farthest) camera z of the bricks in view per tile of RAY_TILE^2 pixels, ceil(width / RAY_TILE) a row;
 // nearest >= farthest = none. T_window_camera: camera metres to voxels of the window. inverse_depths: 1 / camera z, 0 = no surface,
 // (height + 2 RAY_PAD) rows of RAY_STRIDE(width); only the inner ones are written.
 #define OVERSHOOT 0.5f    /* voxels; lands behind the surface rather than creeping up to it */
-#define GAP_STEP 1.0f     /* voxels; through voxels never seen, once a distance has announced a surface */
-#define GAP 3.0f          /* voxels; a longer one, and the surface is not announced any more */
-#define UNSEEN_STEP 0.5f  /* truncations; through voxels never seen, where nothing is announced: a surface that is has a whole
-                             truncation of distances before it */
+#define GAP_STEP 1.0f     /* voxels; through unseen voxels, after a positive distance */
+#define GAP 3.0f          /* voxels; a longer unseen gap resets the last distance */
+#define UNSEEN_STEP 0.5f  /* truncations; through unseen voxels without a positive distance before: a full truncation of distances
+                             precedes each surface */
 #define BEHIND_FACE 0.05f /* voxels past a brick's face, to be safely in the next */
 #define SECANT_STEPS 3
 #define CONVERGED 8e-3f   /* truncations: half a millimetre or less; the last step leaves much less */
 
-// The rays o + t d of a block, t = camera z in metres. Of each: how far it has come, and the distance at the last voxel seen.
+// The rays o + t d of a block, t = camera z in metres, with the current t and the distance at the last seen voxel.
 typedef struct Rays {
   floatN dx, dy, dz;
   floatN inverse_x, inverse_y, inverse_z;
@@ -32,13 +32,13 @@ typedef struct Rays {
   float farthest;
 } Rays;
 
-// The voxels that the rays have come to.
+// The current voxels of the rays.
 typedef struct Place {
   intN x, y, z;
   intN slot;
 } Place;
 
-// Where the ray leaves the cube of `side` (a power of two) voxels around voxel i, along one axis.
+// The t at which the ray leaves the cube of `side` (a power of two) voxels around voxel i, along one axis.
 inline floatN leave_cube(const float o, const floatN d, const floatN inverse_d, const intN i, const intN side) {
   const intN low = i & -side;
   const floatN face = convert_floatN(d > 0.0f ? low + side : low);
@@ -97,9 +97,9 @@ inline void step_on(Rays* rays, const Place* at, const intN distance, const floa
                                    leave_cube(o.z, rays->dz, rays->inverse_z, at->z, side)));
     next = at->slot < 0 ? (leave > t ? leave : t) + BEHIND_FACE * rays->t_voxel : next;
   }
-  // Where the pair of samples around the surface has been found, the place between them.
+  // The position between the pair of samples around the surface, once found.
   const floatN between = rays->t_before + (t - rays->t_before) * rays->before / (rays->before - now);
-  // Voxels never seen (a speck without depth) do not hide the surface that the last distance has announced.
+  // Few unseen voxels (a small hole in depth) do not reset the last distance.
   const intN lost =
       ~seen & where(t - rays->t_before > (fabs(rays->before) * truncation_vox + GAP) * rays->t_voxel);
   rays->before = rays->active ? (seen ? now : (lost ? 0.0f : rays->before)) : rays->before;
@@ -108,7 +108,7 @@ inline void step_on(Rays* rays, const Place* at, const intN distance, const floa
   rays->active &= where(rays->t < rays->farthest);
 }
 
-// The zero of the trilinear field near rays->t, 0 where there is none.
+// The zero of the trilinear field near rays->t, 0 if none.
 inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays, const float truncation_vox) {
   if (!any_lane(rays->met)) return 0.0f;
   intN known;
@@ -122,7 +122,7 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
     const floatN f1 = field_at(field, met, o.x + t1 * rays->dx, o.y + t1 * rays->dy, o.z + t1 * rays->dz, &known);
     const intN is_near = known & where(fabs(f1) <= CONVERGED);
     const floatN slope = (f1 - f0) / (t1 - t0);
-    // A slope that is not clearly downwards says nothing: step by the distance instead.
+    // If the slope is not clearly negative, steps by the distance instead.
     const floatN step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;
     const floatN limit = 2.0f * rays->t_voxel;
     const floatN t2 = t1 + (step > limit ? limit : (step < -limit ? -limit : step));

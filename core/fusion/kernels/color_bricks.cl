@@ -1,16 +1,15 @@
-// Averages a colour image into bricks: for voxels within `band` of the surface that the frame shows (rate_pixels), the
-// running mean
+// Averages a colour image into bricks. Voxels within `band` of the frame's surface (rate_pixels) take the running mean
 //   c' = c + (c_seen - c) w / (W + w),   W' = min(W + w, COLOR_WEIGHT_MAX),
-// of the colour at the nearest pixel of the colour image. A byte holds whole levels, of which a small step would be lost each
-// time: c' is rounded up or down by a hash of voxel and frame, so that it is right on the average, and the same wherever the
-// brick lies. Where the distance itself is but FRESH observations old, the surface is new or in doubt, and what was seen before
-// counts no more than as many views like this one.
+// of the colour at the nearest pixel of the colour image. Bytes hold integer levels, and plain rounding would lose small steps.
+// So c' is rounded up or down by a hash of voxel and frame, which is correct on average and independent of the brick's slot.
+// If the distance has at most FRESH observations, the surface is new or in doubt, and earlier colour weighs at most as much as
+// that many views like this one.
 //
 // BRICK_ITEMS work-items: one brick, LANES voxels at a time, as in integrate_bricks.
 // bricks: brick_count of (x, y, z, slot), counted from the brick `first` (w: number of the frame). T_camera_bricks,
-// T_color_bricks: voxels from there to metres of the depth and of the colour camera. size: pixels of the depth camera; depths,
-// ratings: by its cells of COLOR_CELL^2 pixels. image: color_size pixels of blue, green, red, and one more byte.
-// distances, weights, colors: BRICK_VOXELS a slot, brick_layout.h.
+// T_color_bricks: voxels from that brick to metres in the depth and colour camera. size: pixels of the depth camera; depths,
+// ratings: one per cell of COLOR_CELL^2 of these pixels. image: color_size pixels of blue, green and red, plus one byte of padding.
+// distances, weights, colors: BRICK_VOXELS per slot, brick_layout.h.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/brick_layout.h"
 #include "core/fusion/kernels/brick_work.h"
@@ -26,7 +25,7 @@ inline uintN hash_voxels(const uintN x, const uintN y, const uint z, const uint 
   return h ^ (h >> 15);
 }
 
-// One channel's mean, a byte of each; `dither` in [0, 255].
+// The mean of one channel, in bytes; `dither` in [0, 255].
 inline uintN mean_color(const uintN before, const uintN seen, const floatN share, const uintN dither) {
   const floatN old = convert_floatN(as_intN(before));
   const floatN mean = old + (convert_floatN(as_intN(seen)) - old) * share;
@@ -48,7 +47,7 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
   const float16 C = T_color_bricks;
   const int columns = (size.x + COLOR_CELL - 1) / COLOR_CELL;
 
-  int is_written = 0; /* some of the brick's colours */
+  int is_written = 0; /* any colour of the brick */
   for (int run = (int)get_global_id(0) % BRICK_ITEMS(LANES); run < BRICK_VOXELS / LANES; run += BRICK_ITEMS(LANES)) {
     const int index = brick.w * (BRICK_VOXELS / LANES) + run;
     const intN distance = convert_intN(distances[index]);
@@ -81,7 +80,7 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
     const intN seen = shown & where(color_z > 0.0f) & where(s >= 0.0f) & where(s < (float)color_size.x) & where(t >= 0.0f) & where(t < (float)color_size.y);
     if (!any_lane(seen)) continue;
     const intN byte = seen ? 3 * (convert_intN(t) * color_size.x + convert_intN(s)) : 0;
-    // Blue, green, red from the lowest byte on; in the highest what comes after them.
+    // Blue, green and red from the lowest byte on; the highest byte belongs to the next pixel.
     const uintN bgr = GATHER_BYTES(image, byte);
     const floatN weight = seen ? convert_floatN(as_intN(COLOR_RATING_WEIGHT(rating))) : 1.0f;
 

@@ -2,8 +2,8 @@
 //   z'(u) = z(u) + sum g(q) k_q (d_q + d_-q) / (1 + 2 sum g(q) k_q),  d_q = z(u + q) - z(u),
 //   g(q) = exp(-|q|^2 / (2 * 1.5^2)),  k_q = (k(d_q) k(d_-q))^2,  k(d) = max(0, 1 - (d / s)^2),
 //   s = range_base + range_z2 * z(u)^2.
-// It is bilateral with polynomial instead of exponential weights; pairs keep a slope at an edge or border where it is, which single
-// neighbours would drag inwards. A pixel without reading stays 0, and a neighbour without reading lies beyond s of
+// A bilateral filter with polynomial weights. Pairs preserve slopes at edges and borders, which single neighbours would shift
+// inwards. A pixel without reading stays 0, and a neighbour without reading lies beyond s of
 // every reading.
 // One work-item: LANES pixels of a row. input, output: depth planes of one size.
 #include "core/compute/kernels/lanes.clh"

@@ -1,5 +1,5 @@
-// readings(brick) = (smallest, largest) depth reading that its voxels may meet in the image, from the tiles that the image of
-// its corners spans: bounds, not exact. Smallest is 0 where some voxel may meet none, largest is 0 where all do.
+// readings(brick) = (smallest, largest) depth reading to which its voxels may project: bounds from the tiles that the projected
+// corners span. Smallest is 0 if some voxel may have no reading, largest is 0 if none has one.
 //
 // One work-item: one brick, its corners in a float8. bricks: brick_count of (x, y, z, slot), counted from the window's first
 // brick. T_camera_window: voxels from the window's first to camera metres. extents: see reduce_depth_tiles.
@@ -27,7 +27,7 @@ kernel void find_brick_readings(global const int4* bricks, const int brick_count
   const float8 camera_z = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
   const float nearest = smallest(camera_z);
   if (!(nearest > NEAR_M)) {
-    readings[i] = (float2)(0.0f, max_depth_m); /* around the camera: its image says nothing */
+    readings[i] = (float2)(0.0f, max_depth_m); /* around the camera: no bounds */
     return;
   }
   const float8 u = camera_x / camera_z * K.x + (K.z + 0.5f);

@@ -1,15 +1,15 @@
 #include "core/fusion/kernels/brick_field.clh"
 
 // missing(group) = 1 if the band [z - truncation, z + truncation] around the depth reading of one of the group's pixels
-// touches a brick that does not exist yet, else 0: the brick of the band's near end, and one more wherever it crosses a
-// brick's face; `crossings` = the most faces it can cross along one axis.
+// touches a missing brick, else 0. The band touches the brick of its near end and one more at each brick face it crosses;
+// `crossings` = the largest number of faces it can cross along one axis.
 //
-// One work-item: one group, LANES neighbouring pixels of a row; the last group of a row ends with it (and overlaps the one
-// before). width >= LANES. depth_m: width * height metres, anything outside of [depth_range.x,
-// depth_range.y] is no reading. missing: ceil(width / LANES) a row. T_window_camera: camera metres to voxels of the window.
+// One work-item: one group, LANES neighbouring pixels of a row. The last group ends with the row and may overlap the one
+// before. width >= LANES. depth_m: width * height metres, values outside [depth_range.x,
+// depth_range.y] are no readings. missing: ceil(width / LANES) per row. T_window_camera: camera metres to voxels of the window.
 
 // True where the band (near end a, direction d, per axis) crosses its k-th face of the first axis and the brick behind it
-// does not exist; the order of the axes is told by `axis` (0: x first, 1: y first, 2: z first).
+// is missing. `axis` is the first axis (0: x, 1: y, 2: z).
 inline intN misses_behind(const Field* field, const int axis, const int k, const floatN a, const floatN d,
                            const floatN a1, const floatN d1, const floatN a2, const floatN d2) {
   const intN first = voxel_of(a) >> BRICK_SHIFT;

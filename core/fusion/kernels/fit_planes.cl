@@ -1,11 +1,11 @@
-// The plane around every pixel that sees a surface. In inverse depth q = 1/z, in which a depth camera's noise is even, a plane
-// is linear: q = a du + b dv + c with (du, dv) the pixels' offsets from the middle one. Least squares over the
+// The plane around every pixel with surface. In inverse depth q = 1/z, a depth camera's noise is uniform and a plane is
+// linear: q = a du + b dv + c with (du, dv) the pixels' offsets from the middle one. Least squares over the
 // (2 FIT_RADIUS + 1)^2 pixels whose depth differs from the middle's by at most FIT_SLOPE pixel sizes (z / fx for columns, z / fy
 // for rows) for each pixel of distance, by the larger of the two.
 //
 // One work-item: LANES neighbouring pixels of a row.
-// inverse_depths: see cast_rays. planes: for each of the same rows four rows of the same length, that of a, of b, of c and of the
-// residual, the mean square error of q relative to the middle's q^2; NO_PLANE there where there is none.
+// inverse_depths: see cast_rays. planes: four rows of the same length per row: a, b, c and the residual, which is the mean square
+// error of q relative to the middle's q^2, or NO_PLANE.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/ray_layout.h"
 
@@ -24,7 +24,7 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
   const floatN q0 = LOAD(middle);
   const intN met = q0 > 0.0f;
   const floatN z = 1.0f / (met ? q0 : 1.0f);
-  // Inverse depths that belong to the plane, by how many rows or columns lie between (see above): bounds of q for those of z.
+  // Bounds of the inverse depths that belong to the plane, by distance in rows and columns (see above).
   floatN lowest[FIT_RADIUS + 1][FIT_RADIUS + 1], highest[FIT_RADIUS + 1][FIT_RADIUS + 1];
 #pragma unroll
   for (int rows = 0; rows <= FIT_RADIUS; ++rows) {
@@ -36,7 +36,7 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
     }
   }
 
-  // Sums over the pixels that belong to it, i and j counted from the corner so that none is negative: they share words.
+  // Sums over the pixels of the plane. i and j count from the corner, so that none is negative and several share a word.
   intN counts = 0;  /* 1, i, j; i^2 from the middle */
   intN moments = 0; /* j^2 from the middle; i j */
   floatN sq = 0.0f, suq = 0.0f, svq = 0.0f, sqq = 0.0f;

@@ -1,8 +1,8 @@
-// Edge-aware reduction of 2 x 2 pixels to one: the mean of those readings of the square that belong to its nearest surface,
-// z_i - z_min < DEPTH_JUMP(z_min); no reading, no depth. The same rule as reduce_depth at ratio 2, as vectors.
+// Edge-aware reduction of 2 x 2 pixels to one: the mean of the readings that belong to the nearest surface of the square,
+// z_i - z_min < DEPTH_JUMP(z_min); 0 without readings. The same rule as reduce_depth at ratio 2, as vectors.
 // One work-item: LANES_X small pixels of a row.
-// large: plane with large_pad zeros around (0: plain image), large_stride a row; small: depth plane. An odd last
-// column or row of `large` is left out.
+// large: image with a border of large_pad zeros (0: none), large_stride per row; small: depth plane. An odd last
+// column or row of `large` is ignored.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/depth_plane.clh"
 
@@ -26,7 +26,7 @@ inline floatH mean_of_nearest(const floatH a, const floatH b, const floatH c, co
   const floatH zero = 0.0f;
   const floatH one = 1.0f;
   const floatH e_a = far_a - nearest, e_b = far_b - nearest, e_c = far_c - nearest, e_d = far_d - nearest;
-  // Where there is no reading at all, `nearest` is the far value and the result is dropped below.
+  // Without any reading, `nearest` is the far value, and the result below is 0.
   const floatH sum = select(zero, e_a, e_a < jump) + select(zero, e_b, e_b < jump) + select(zero, e_c, e_c < jump) +
                      select(zero, e_d, e_d < jump);
   const floatH count = select(zero, one, e_a < jump) + select(zero, one, e_b < jump) + select(zero, one, e_c < jump) +

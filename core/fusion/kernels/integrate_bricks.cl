@@ -7,14 +7,14 @@
 //   d' = (d W + d w) / (W + w),   W' = min(W + w, W_max),   w = 1 observation.
 // D is read at the nearest pixel; z is along the optical axis, as depth cameras measure it.
 //
-// BRICK_ITEMS work-items, which are a work-group where they are several: one brick, LANES voxels at a time.
+// BRICK_ITEMS work-items (a work-group if several): one brick, LANES voxels at a time.
 // bricks: brick_count of (x, y, z, slot), counted from the window's first brick.
-// readings: bounds of the readings that each brick may meet (see find_brick_readings). They tell most voxels that lie wholly
-// behind (left as they are) or in front (free space, d = 1) of the surface without a look at the image.
+// readings: bounds of the readings of each brick (see find_brick_readings). With them, most voxels behind the surface (unchanged)
+// or in front of it (free space, d = 1) need no access to the image.
 // T_camera_window: voxels from the window's first to camera metres. depth_m: width * height metres; only readings in
-// (0, max_depth_m] count. distances, weights: BRICK_VOXELS a slot, brick_layout.h.
-// empty(brick) = 1 if the image shows free space in all of it, so that no reading's band touches it, and its averages say so
-// too: no voxel within half a truncation of a surface; else 0.
+// (0, max_depth_m] count. distances, weights: BRICK_VOXELS per slot, brick_layout.h.
+// empty(brick) = 1 if the image shows free space in all of it (no reading's band touches it) and no voxel's average is within
+// half a truncation of a surface; else 0.
 #define ROUNDING_M 1e-4f
 #define HALF_TRUNCATION 16384
 
@@ -23,7 +23,7 @@ typedef struct Voxels {
   intN weight;
 } Voxels;
 
-// The running average of what voxels have and what they have `seen` now.
+// The running average of voxels with the new distances `seen`.
 inline Voxels average(const Voxels old, const floatN seen, const int max_weight) {
   const floatN weight = convert_floatN(old.weight);
   const floatN mean = (convert_floatN(old.distance) * weight + seen) / (weight + 1.0f);
@@ -35,7 +35,7 @@ inline Voxels average(const Voxels old, const floatN seen, const int max_weight)
   return fresh;
 }
 
-// Returns how many of the work-item's runs of LANES voxels hold nothing but free space.
+// Returns the number of runs of LANES voxels of the work-item that are entirely free space.
 inline int integrate_brick(const int4 brick, const int item, const float2 reading, const float16 T, const float4 K,
                            const int width, const int height, global const float* restrict depth_m,
                            const float max_depth_m, const float truncation_m, const int max_weight,

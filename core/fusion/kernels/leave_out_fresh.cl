@@ -1,7 +1,7 @@
 // Normals of surface with at least `settled` observations at its voxel; elsewhere all 0. counts: adds the pixels with fresh
 // surface, and with any surface.
 // One work-item: LANES pixels. vertices: world, w = 0: no surface. cells, page_slots, window_size: the view's window
-// (brick_page.h); first: the brick at which it starts. weights: BRICK_VOXELS a slot.
+// (brick_page.h); first: the brick at which it starts. weights: BRICK_VOXELS per slot.
 #include "core/fusion/kernels/brick_field.clh"
 
 kernel void leave_out_fresh(global const float4* vertices, global const float4* normals, const int pixels,

@@ -1,6 +1,6 @@
 // Removes the pixels under a mask of another size. The mask's pixel of (x, y) in an image of width * height is
-//   (floor(x mask_width / width), floor(y mask_height / height)); where it is not 0 there is nothing.
-// One work-item: one pixel of the image, which is as large as the launch. mask: mask_width * mask_height.
+//   (floor(x mask_width / width), floor(y mask_height / height)); pixels where it is not 0 are removed.
+// One work-item: one pixel of the image, which has the size of the launch. mask: mask_width * mask_height.
 
 inline int is_left_out(global const uchar* mask, const int mask_width, const int mask_height) {
   const int x = (int)get_global_id(0) * mask_width / (int)get_global_size(0);

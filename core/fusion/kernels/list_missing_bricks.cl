@@ -5,9 +5,9 @@
 // brick. Order is arbitrary; a brick appears once, or rarely more than once (when the set is full or the brick lies more
 // than 512 bricks off).
 //
-// One work-item: one group. Mostly none is marked and nothing is done.
-// Arguments as there, but T_window_camera: camera metres to bricks of the window. list: capacity; count[0]: bricks found,
-// also those beyond capacity. seen: set of SEEN_SIZE keys, 0 = free; zeroed before the launch.
+// One work-item: one group. Usually no group is marked.
+// Arguments as in find_missing_bricks, but T_window_camera: camera metres to bricks of the window. list: capacity; count[0]:
+// bricks found, also those beyond capacity. seen: set of SEEN_SIZE keys, 0 = free; zeroed before the launch.
 #define SEEN_SIZE 32768
 #define SEEN_PROBES 32
 

@@ -1,10 +1,10 @@
-// Surface with readings behind it has gone: lowers its weight, so that the next frames decide.
-// For each pixel under the mask with a reading behind the map's surface by more than apart_m, all voxels next
-// to the ray within reach of that surface keep a weight of at most MISMATCH_WEIGHT. One work-item: one pixel
-// of the surface, which is as large as the launch. Work-items may meet in a voxel; all write the same.
+// Surface with readings behind it has probably been removed. Lowers its weight, so that the next frames decide.
+// For each pixel under the mask with a reading behind the map's surface by more than apart_m, all voxels next to the ray within
+// reach of that surface keep a weight of at most MISMATCH_WEIGHT.
+// One work-item: one pixel of the surface, which has the size of the launch. Work-items may share a voxel; all write the same value.
 //   mask         mask_width * mask_height, as in leave_out_moving
 //   readings     camera frame, w = 0: none; vertices: world, w = 0: no surface
-//   apart        (metres, metres per z^2), z the reading's
+//   apart        (metres, metres per z^2), z of the reading
 //   weights      slots x 512 observations, in/out
 #include "core/compute/kernels/common.clh"
 #include "core/fusion/kernels/brick_lookup.clh"

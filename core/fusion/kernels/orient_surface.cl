@@ -1,14 +1,14 @@
 // V_t and N_t from the inverse depths of cast_rays and the planes of fit_planes.
 //   V = T_world_camera (z (u - cx) / fx, z (v - cy) / fy, z)
-//   N = that of the best plane whose window holds the pixel: of the planes fitted around the pixels (u + i, v + j),
-//   i, j in {-FIT_RADIUS, 0, FIT_RADIUS}, that with the smallest residual + DEPTH_SHARE times the squared error at the pixel
-//   itself; the pixel's own counts only MIDDLE_SHARE of that.
+//   N = normal of the best plane whose window contains the pixel. Of the planes around the pixels (u + i, v + j),
+//   i, j in {-FIT_RADIUS, 0, FIT_RADIUS}, it has the smallest cost: residual + DEPTH_SHARE times the squared error at this
+//   pixel. The cost of the pixel's own plane is multiplied by MIDDLE_SHARE.
 // At an edge this takes the plane of one side, so that normals stay sharp (Kuwahara's rule). The normal of
 // q = a du + b dv + c is (a fx, b fy, c - a (u - cx) - b (v - cy)).
 //
 // One work-item: LANES neighbouring pixels of a row.
-// inverse_depths, planes: see there. T_window_camera: camera metres to voxels of the window, of which origin_m is the first corner in
-// the world. vertices, normals: width * height, world, w = 1, or all 0.
+// inverse_depths, planes: see cast_rays and fit_planes. T_window_camera: camera metres to voxels of the window; origin_m: its
+// first corner in the world. vertices, normals: width * height, world, w = 1, or all 0.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/ray_layout.h"
 

@@ -1,19 +1,19 @@
-// How well a colour image shows the surface, by cells of COLOR_CELL * COLOR_CELL pixels of the depth camera; of a cell its first pixel
-// is looked at, with vertex V, normal n and z along the depth camera's axis:
-//   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; a whole number from 1 to
+// Rates how well a colour image shows the surface, per cell of COLOR_CELL * COLOR_CELL pixels of the depth camera. The first pixel
+// represents its cell, with vertex V, normal n and z along the depth camera's axis:
+//   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; an integer from 1 to
 //            COLOR_WEIGHT_OF_VIEW_MAX.
-//   reach  = (across + slack sin_d) / cos_d: how far along z from V the pixels of the cell may still show this surface; cos_d
-//            likewise to the depth camera, slack = CELL_REACH pixels (their longer sides) at V, and so the tangent plane is within `across`.
-// Nothing (depth 0) where
-//   no surface is, or the colour camera does not see it (hidden), or either camera sees it at less than MIN_COS;
-//   the frame has no reading, or another than the surface: who stands before it has another colour;
-//   next to it, at EDGE_LOW or EDGE_HIGH pixels in eight directions, the reading is hidden or off the tangent plane: an outline,
-//   where colour and depth never lie over each other exactly. Where there is no reading, it is a hole in a surface only if the
-//   map's surface is there at twice the distance.
+//   reach  = (across + slack sin_d) / cos_d: distance along z from V within which pixels of the cell show this surface, that is
+//            `across` from the tangent plane; cos_d as cos for the depth camera, slack = CELL_REACH pixels (longer sides) at V.
+// The depth is 0 (no colour) if
+//   there is no surface, it is hidden from the colour camera, or either camera sees it at less than MIN_COS;
+//   the frame has no reading or one off the surface, because an object in front has another colour;
+//   a reading at EDGE_LOW or EDGE_HIGH pixels in eight directions is hidden or off the tangent plane: at an outline, colour and
+//   depth are never exactly aligned. A missing reading counts as a hole in the surface only if the map has surface at twice
+//   that distance in pixels.
 // Depths agree within apart.x + apart.y z^2.
 //
 // One work-item: one cell. vertices, normals: world, width * height, w = 0: none. readings: camera, likewise. hidden: width *
-// height, not 0 = hidden. eye, color_eye: the cameras in the world. depths, ratings (reach and weight, COLOR_RATING): one a cell,
+// height, not 0 = hidden. eye, color_eye: the cameras in the world. depths, ratings (reach and weight, COLOR_RATING): one per cell,
 // row by row.
 #include "core/compute/kernels/common.clh"
 #include "core/fusion/kernels/color_voxel.h"

@@ -1,7 +1,7 @@
 // Edge-aware reduction: a pixel of the small image covers a rectangle of the large one. Only readings of the nearest surface in it
 // count, z_i - z_min < DEPTH_JUMP(z_min), each with the covered area of its pixel:
-//   z = sum a_i z_i / sum a_i;  no reading, no depth.
-// Lengths along an axis are whole numbers: a large pixel is small_width (small_height) long, a rectangle large_width
+//   z = sum a_i z_i / sum a_i;  0 without readings.
+// Lengths along an axis are integers: a large pixel is small_width (small_height) long, a rectangle large_width
 // (large_height). So no rounding decides which pixels a rectangle covers, and mirrored images give mirrored results.
 // One work-item: one small pixel. large: image, row by row; small: depth plane.
 #include "core/fusion/kernels/depth_plane.clh"

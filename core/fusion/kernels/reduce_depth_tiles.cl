@@ -1,8 +1,8 @@
-// extent(tile) = (smallest, largest) depth reading of a tile of DEPTH_TILE^2 pixels; smallest is 0 where a pixel
-// has none, largest is 0 where all have none.
+// extent(tile) = (smallest, largest) depth reading of a tile of DEPTH_TILE^2 pixels; smallest is 0 if a pixel
+// has none, largest is 0 if no pixel has one.
 //
-// One work-item: one tile. depth_m: width * height metres, only what lies in (0, max_depth_m] is a reading. extents: one pair a
-// tile, row by row, DEPTH_TILES(width) a row.
+// One work-item: one tile. depth_m: width * height metres, only values in (0, max_depth_m] are readings. extents: one pair per
+// tile, row by row, DEPTH_TILES(width) per row.
 #include "core/fusion/kernels/depth_tiles.h"
 
 kernel void reduce_depth_tiles(global const float* depth_m, const int width, const int height, const float max_depth_m,

@@ -1,19 +1,19 @@
-// Labelled voxels near the surface of the listed bricks, for display and export: those that were seen and whose signed distance is
-// at most `band` (in 1/32767 of the truncation). Run twice: first with write = 0 to count, then, with the counts summed up to
-// offsets, with write = 1. One work-item: one brick, so that its points lie together.
-//   normal    gradient of the distance by differences along each axis: central, or to one side where the other neighbour was not
-//             seen or lies in another brick; where there is neither, 0
-//   height    the distance over its slope: a voxel beside a surface seen aslant is nearer to it than rays tell
+// Lists the labelled voxels near the surface of bricks, for display and export: seen voxels whose signed distance is at most
+// `band` (in 1/32767 of the truncation). Runs twice: with write = 0 to count, and with write = 1 after the counts are summed to
+// offsets. One work-item: one brick, so that its points are contiguous.
+//   normal    gradient of the distance along each axis: the central difference, or the one-sided difference if the other
+//             neighbour is unseen or in another brick; 0 if both are
+//   height    the distance divided by its slope: at oblique views, voxels are nearer to the surface than along rays
 //   listed    bricks to visit: position x, y, z and slot
 //   distances slots x 512 signed distances
 //   labels    slots x 512 label voxels
 //   colors    slots x 512 colour voxels
-//   offsets   listed_count; write = 0, out: points of the brick; write = 1, in: where its points go
+//   offsets   listed_count; write = 0, out: points of the brick; write = 1, in: index of its first point
 //   points    all points, out
 #include "core/fusion/kernels/brick_layout.h"
 #include "core/labeling/kernels/label_voxel.h"
 
-// Slope along the axis on which voxels lie `step` apart in `brick`, at voxel i, the `place`-th of its row.
+// Slope at voxel i, the `place`-th of its row, along the axis with an index step of `step` in `brick`.
 inline float slope_at(global const short* brick, const int i, const int step, const int place) {
   const int low = place > 0 && brick[i - step] != DISTANCE_UNSEEN ? i - step : i;
   const int high = place < BRICK_SIDE - 1 && brick[i + step] != DISTANCE_UNSEEN ? i + step : i;

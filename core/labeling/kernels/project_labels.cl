@@ -3,8 +3,8 @@
 // One work-item: LANES pixels.
 //   vertices   pixels x float4, world, w = 0: no surface
 //   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts
-//   labels     slots x 512 label voxels; stamps: LABEL_BRICK_UNUSED where none of a slot's was ever written
-//   projected  pixels, out: raw label, with LABEL_SURE where the voxel's confidence is full; or 0
+//   labels     slots x 512 label voxels; stamps: LABEL_BRICK_UNUSED for slots without any written label
+//   projected  pixels, out: raw label, with LABEL_SURE if the voxel's confidence is full; or 0
 #include "core/fusion/kernels/brick_field.clh"
 #include "core/labeling/kernels/label_voxel.h"
 

@@ -1,6 +1,6 @@
 // Label cloud update (thesis, Algorithms 1 and 2), pixel by pixel. The algorithm visits every voxel of space:
-//   v_g = (voxel + 0.5) * voxel_size, seen in pixel u = floor(K (T_camera_world v_g) + 0.5) with depth > 0;
-//   where |V_t(u) - v_g| < reach and S_cloud,t(u) != 0 the voxel takes S_cloud,t(u).
+//   v_g = (voxel + 0.5) * voxel_size projects to pixel u = floor(K (T_camera_world v_g) + 0.5) with depth > 0;
+//   if |V_t(u) - v_g| < reach and S_cloud,t(u) != 0, the voxel takes S_cloud,t(u).
 // A voxel is seen in at most one pixel, and only voxels within reach of that pixel's vertex are written. So each pixel visits the
 // voxels around its vertex and writes those seen in it. The result is the same, and no voxel is written twice.
 // With confidence: a voxel of the same fragment gains one (up to the cap); one of another fragment loses one and changes at
@@ -8,15 +8,16 @@
 // A voxel in a missing brick is listed. Once the brick exists, another run with only_new writes only such voxels.
 // One work-item: LANES of the listed pixels.
 //   vertices         pixels of the view x float4, world, w = 0: no surface
-//   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts. Bricks in it are found fast
-//   pixels           count, of those that write; new_labels: their S_cloud,t as fragments (not 0), with LABEL_AT_ONCE
+//   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts. Bricks
+//                    outside are found by a slower lookup
+//   pixels           count pixels that write; new_labels: their S_cloud,t as fragments (not 0), with LABEL_AT_ONCE
 //   labels           slots x 512 label voxels, in/out
 //   fragment_voxels  voxels that hold each fragment, in/out
 //   stamps           slots, in/out: number of the run in which the slot was last listed, so that it is listed once;
 //                    negative: not in any
 //   touched          out: slots in which a voxel was visited, counts[0] of them
-//   missing          capacity x int4, out: bricks that do not exist, with repetitions; counts[1] of them, those beyond the
-//                    capacity are not stored
+//   missing          capacity x int4, out: bricks that do not exist, with repetitions; counts[1] of them, only those within the
+//                    capacity are stored
 #include "core/fusion/kernels/brick_field.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
 #include "core/labeling/kernels/label_voxel.h"
@@ -33,11 +34,11 @@ inline uintN changed_voxels(const uintN voxel, const uintN new_label, const int 
   return held == label ? surer : less_sure;
 }
 
-// Voxels that wait for a label; they are looked up LANES at a time.
+// Voxels that wait for a label, for lookup of LANES at a time.
 #define MOST_WAITING 64
 typedef struct {
   int count;
-  int x[MOST_WAITING], y[MOST_WAITING], z[MOST_WAITING]; /* of the world */
+  int x[MOST_WAITING], y[MOST_WAITING], z[MOST_WAITING]; /* world coordinates */
   uint labels[MOST_WAITING];                             /* with LABEL_AT_ONCE */
 } WaitingVoxels;
 
@@ -76,7 +77,7 @@ inline void find_beyond_window(const Cloud* cloud, const WaitingVoxels* waiting,
   }
 }
 
-// The labels of the lanes' voxels, and their places.
+// The labels and pool indices of the lanes' voxels.
 typedef struct {
   intN active, slot, place, stamped;
   uintN before;
@@ -138,7 +139,7 @@ inline void change(const Cloud* cloud, const Held* held, const uintN label, cons
   }
 }
 
-// All voxels are read before any is written, so that the kernel waits for memory once.
+// Reads all voxels before writing any, so that the kernel waits for memory once.
 inline void change_waiting(const Cloud* cloud, WaitingVoxels* waiting, const int use_confidence, const int only_new) {
   Held held[MOST_WAITING / LANES];
 #pragma unroll
@@ -150,17 +151,17 @@ inline void change_waiting(const Cloud* cloud, WaitingVoxels* waiting, const int
   waiting->count = 0;
 }
 
-// Voxel n of a cube of side^3; per_side = 65536 / side + 1: divisions take long. Right for sides up to 12.
+// Voxel n of a cube of side^3; per_side = 65536 / side + 1 replaces a slow division. Exact for sides up to 12.
 inline int3 voxel_in_cube(const int n, const int side, const int per_side) {
   const int row = (n * per_side) >> 16;
   const int slice = (row * per_side) >> 16;
   return (int3)(n - row * side, row - slice * side, slice);
 }
 
-// What the lanes' pixels have to be asked for one by one.
+// Values of the lanes' pixels for scalar access.
 typedef struct {
   int x0[LANES], y0[LANES], z0[LANES]; /* the first voxel of the cube around the vertex */
-  int found[LANES];                    /* bit i: voxel from + i of the cube is the pixel's */
+  int found[LANES];                    /* bit i: voxel from + i of the cube projects to the pixel */
   uint labels[LANES];
 } Pixels;
 

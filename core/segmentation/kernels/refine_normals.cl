@@ -8,10 +8,10 @@
 // A plane seen by a pinhole camera has an inverse depth that is linear in the pixel: 1/z = A (u - x) + B (v
 // - y) + C around pixel (x, y). A least-squares fit over a window, of the readings within `gate` of the
 // centre's depth, gives the plane m . p = 1 with m = (A fx, B fy, C + A (cx - x) + B (cy - y)) in the
-// camera frame and the normal -m / |m| towards the camera. The rim's mean residual above the middle's says
-// whether the surface is concave (a valley is nearer at its rim). There a smoothing window would round off
-// the very crease that eq. 3.5 is to find, so that there the pixel takes the plane of that window around it
-// that fits best (Kuwahara's filter); such a window lies on one side of the crease.
+// camera frame and the normal -m / |m| towards the camera. The surface is concave if the border of the window
+// has a larger mean residual than its middle (a valley is nearer at its border). There a smoothing window
+// would round off the crease that eq. 3.5 has to find, so the pixel takes the plane of the best fitting
+// window around it (Kuwahara's filter). Such a window lies on one side of the crease.
 
 /// One work-item: one pixel. vertices: width * height float4 in the world, w = 0: none. depth_row: the row
 /// of T_camera_world that gives z. inverse_depth: 1 / z, 0 = none; the padding is not written.
@@ -28,8 +28,8 @@ kernel void invert_depth(global const float4* vertices, global float* inverse_de
 
 /// One work-item: the windows around LANES pixels in a row. planes: four images of height rows of `WINDOW_STRIDE`:
 /// the normal's x, y, z in the camera frame and the window's RMS distance from its plane in metres, FLT_MAX
-/// where there are too few readings. concavity: the same shape, metres by which the rim stands out above
-/// the middle. What is written right of the image means nothing.
+/// if there are too few readings. concavity: the same shape, metres by which the border rises above the
+/// middle. Values right of the image are undefined.
 kernel void fit_planes(global const float* restrict inverse_depth, global float* restrict planes,
                        global float* restrict concavity, const int width, const int height, const float4 K,
                        const float gate) {
@@ -82,7 +82,7 @@ kernel void fit_planes(global const float* restrict inverse_depth, global float*
   const floatN to_metres = z * per_length;  // of a residual in inverse depth: distance from the plane
   const floatN rms = sqrt(fmax(cww - A * cuw - B * cvw, 0.0f) * share) * to_metres;
 
-  // Slope of the residual over r = dx^2 + dy^2, times the rim's r.
+  // Slope of the residual over r = dx^2 + dy^2, times r at the border of the window.
   const floatN r = uu + vv;
   const floatN crw = (rw - r * w * share) - A * (ru - r * u * share) - B * (rv - r * v * share);
   const floatN crr = rr - r * r * share;
@@ -97,7 +97,7 @@ kernel void fit_planes(global const float* restrict inverse_depth, global float*
   STORE(rise, concavity + target);
 }
 
-/// One work-item: the normal of one pixel, in the world: (x, y, z, 1), or all 0 where no window around it
+/// One work-item: the normal of one pixel, in the world: (x, y, z, 1), or all 0 if no window around it
 /// fits.
 kernel void choose_normals(global const float* restrict inverse_depth, global const float* restrict planes,
                            global const float* restrict concavity, global float4* restrict normals, const int width,
@@ -117,7 +117,7 @@ kernel void choose_normals(global const float* restrict inverse_depth, global co
     for (int dy = -WINDOW_RADIUS; dy <= WINDOW_RADIUS; ++dy) {
       for (int dx = -WINDOW_RADIUS; dx <= WINDOW_RADIUS; ++dx) {
         const float reading = inverse_depth[(y + WINDOW_RADIUS + dy) * stride + x + WINDOW_RADIUS + dx];
-        if (!(reading > 0.0f && fabs(reading - middle) <= reach)) continue;  // also all of the padding
+        if (!(reading > 0.0f && fabs(reading - middle) <= reach)) continue;  // also excludes the padding
         const int j = i + dy * stride + dx;
         const float rms = planes[j + 3 * image];
         if (rms < best_rms) {

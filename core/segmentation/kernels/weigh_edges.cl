@@ -11,8 +11,8 @@
 // is the same and keeps its precision near 0.
 //
 // One work-item: LANES pixels i in a row and their forward edges. vertices, normals: width * height float4, w = 0 or
-// anything not finite: no such pixel. depth_row: the row of T_camera_world that gives z. keys: width *
-// height ushort4 in the order of the directions; edges that leave the image or meet a missing pixel are
+// a value that is not finite: missing pixel. depth_row: the row of T_camera_world that gives z. keys: width *
+// height ushort4 in the order of the directions; edges out of the image or to a missing pixel are
 // EDGE_NEVER. depths: z in metres where vertex and normal exist, else 0.
 #include "core/compute/kernels/lanes.clh"
 

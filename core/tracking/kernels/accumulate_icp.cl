@@ -4,9 +4,9 @@
 //   r = n . (v - p),  J = ((p - centre) x n, n),  Huber: w = s(z)^-2 min(1, delta / |r|), delta = gate.s3 s(z),
 //   s(z) = 1 + gate.s4 z^2 (depth noise grows with z^2), z the depth in the frame.
 // The same form with gate.s5 and gate.s6 instead of s3 and s4 gives h, the weight in the residual that judges the fit.
-// A pixel of the overlap that lies farther from the camera than the model's surface there, by more than that distance, is
-// behind it; nearer, before it.
-// Sums of icp_layout.h; no NaN is converted: bounds are tested positively.
+// A pixel of the overlap is behind the model's surface if it is farther from the camera by more than that distance, and before
+// it if nearer by as much.
+// Sums as in icp_layout.h. Bounds tests fail for NaN, so no NaN is converted to an integer.
 // One work-item: `run` pixels, LANES of them at a time, GROUP * LANES (GROUP: build option) apart; the lanes' and the group's
 // sums are added in a fixed order.
 // vertices, normals: pixel_count, camera frame; model_vertices, model_normals: model_width * model_height,
@@ -20,7 +20,7 @@ inline Points transformed(const float16 T, const Points p) {
   return result;
 }
 
-// Huber's weight of residuals of that size, whose noise is `noise` times that for which `delta` is meant.
+// Huber's weight of residuals whose noise is `noise` times the noise at which `delta` applies.
 inline floatN huber_weight(const floatN size, const floatN noise, const float delta) {
   const floatN reach = delta * noise;
   return (size < reach ? 1.0f : reach / size) / (noise * noise);

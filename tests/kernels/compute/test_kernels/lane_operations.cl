@@ -1,5 +1,5 @@
-// Of the values at the places `from` those below 0, except in lane 2; else 100 * row + column of the lane in its block.
-// any: not 0 where a work-item met one below 0. One work-item: LANES values.
+// picked: values[from] where negative, except in lane 2; else 100 * row + column of the lane in its block.
+// any: not 0 if a work-item has a negative value. One work-item: LANES values.
 #include "core/compute/kernels/lanes.clh"
 
 kernel void pick_negative(global const float* values, global const int* from, global float* picked, global int* any) {
@@ -13,7 +13,7 @@ kernel void pick_negative(global const float* values, global const int* from, gl
   STORE((negative & ~second) ? value : block, picked + LANES * item);
 }
 
-// Elements of two, one and four bytes at the places `from`; the last begin at any byte.
+// Elements of two, one and four bytes at the indices `from`; for four bytes they are byte offsets.
 kernel void gather_each(global const short* shorts, global const uchar* bytes, global const int* from,
                         global int* of_shorts, global int* of_bytes, global uint* words) {
   const int first = LANES * (int)get_global_id(0);

@@ -1,4 +1,4 @@
-// A file to which the compiler has something to say.
+// Compiles with a warning.
 #warning "a remark"
 
 kernel void count_up(global int* value) {
