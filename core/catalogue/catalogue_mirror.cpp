@@ -4,19 +4,13 @@
 #include <array>
 #include <variant>
 
+#include "core/catalogue/median_size.h"
+
 namespace scantrove {
 namespace {
 
 /// Room for the views of a long scan, to avoid copying in the middle of it.
 constexpr int kViewsOfAScan = 2048;
-
-float middleOf(std::vector<float>& values) {
-  const std::size_t half = values.size() / 2;
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(half));
-  if (values.size() % 2 == 1) return values[half];
-  const float below = *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half));
-  return (below + values[half]) / 2;
-}
 
 }  // namespace
 
@@ -136,15 +130,12 @@ void CatalogueMirror::addSize(ObjectId object, const Eigen::Vector3f& size_m) {
 }
 
 Eigen::Vector3f CatalogueMirror::sizeOf(ObjectId root) const {
-  std::array<std::vector<float>, 3> sides;
+  MedianSize size;
   for (const auto& [object, sizes] : sizes_) {
     if (mergeRootOf(object) != root) continue;
-    for (const Eigen::Vector3f& size_m : sizes) {
-      for (int i = 0; i < 3; ++i) sides[static_cast<std::size_t>(i)].push_back(size_m[i]);
-    }
+    for (const Eigen::Vector3f& size_m : sizes) size.add(size_m);
   }
-  if (sides[0].empty()) return Eigen::Vector3f::Zero();
-  return {middleOf(sides[0]), middleOf(sides[1]), middleOf(sides[2])};
+  return size.value_m();
 }
 
 int CatalogueMirror::viewsToCome(ObjectId root) const {

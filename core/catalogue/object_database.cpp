@@ -73,6 +73,12 @@ Result<void> readMerge(ObjectRows& rows, const ObjectMerge& merge) {
   return rows.readNamesOf(merge.from);
 }
 
+/// Reads the rows for naming an object: its own, and that of an object which has the name.
+Result<void> readForNaming(ObjectRows& rows, ObjectId object, const std::string& name) {
+  SCANTROVE_TRY(rows.read(object));
+  return rows.readNamed(name);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::open(const std::string& database) {
@@ -234,11 +240,7 @@ Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name, NamedB
   const Result<std::string> checked = checkedLabelName(name);
   if (!checked) return fail(checked.error());
   return changeObjects(
-      *connection_,
-      [&](ObjectRows& rows) -> Result<void> {
-        SCANTROVE_TRY(rows.read(id));
-        return rows.readNamed(*checked);
-      },
+      *connection_, [&](ObjectRows& rows) { return readForNaming(rows, id, *checked); },
       [&](CatalogueModel& model) { return model.rename(id, *checked, by); });
 }
 
@@ -252,11 +254,7 @@ Result<ObjectNaming> ObjectDatabase::nameByUser(ObjectId id, const std::string& 
   const Result<std::string> checked = checkedLabelName(name);
   if (!checked) return fail(checked.error());
   return changeObjects(
-      *connection_,
-      [&](ObjectRows& rows) -> Result<void> {
-        SCANTROVE_TRY(rows.read(id));
-        return rows.readNamed(*checked);
-      },
+      *connection_, [&](ObjectRows& rows) { return readForNaming(rows, id, *checked); },
       [&](CatalogueModel& model) { return model.nameByUser(id, *checked); });
 }
 
@@ -265,8 +263,7 @@ Result<bool> ObjectDatabase::revertNaming(const ObjectNaming& naming) {
       *connection_,
       [&](ObjectRows& rows) -> Result<void> {
         if (naming.merge) SCANTROVE_TRY(readMerge(rows, *naming.merge));
-        SCANTROVE_TRY(rows.read(naming.object));
-        return rows.readNamed(naming.earlier_name);
+        return readForNaming(rows, naming.object, naming.earlier_name);
       },
       [&](CatalogueModel& model) { return model.revertNaming(naming); });
 }

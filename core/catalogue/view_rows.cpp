@@ -3,11 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <QVariant>
-#include <algorithm>
-#include <array>
-#include <vector>
 
 #include "core/catalogue/image_blob.h"
+#include "core/catalogue/median_size.h"
 #include "core/catalogue/object_rows.h"
 #include "core/database/database_connection.h"
 
@@ -28,14 +26,6 @@ Result<void> storeImages(DatabaseConnection& connection, qlonglong view, const V
                                      {view, summary.picture_jpeg}));
   }
   return {};
-}
-
-float medianOf(std::vector<float> values) {
-  const std::size_t half = values.size() / 2;
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(half));
-  if (values.size() % 2 == 1) return values[half];
-  const float below = *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half));
-  return (below + values[half]) / 2;
 }
 
 }  // namespace
@@ -94,23 +84,19 @@ Result<void> refreshObject(DatabaseConnection& connection, ObjectId object) {
       " WHERE v.object = ? ORDER BY s.object_pixels DESC, v.id DESC",
       {object.value});
   if (!query) return fail(query.error());
-  std::array<std::vector<float>, 3> sides;
+  MedianSize size;
   QVariant best_view{QMetaType(QMetaType::LongLong)};
   while (query->next()) {
     if (best_view.isNull()) best_view = query->value(0);
-    const Eigen::Vector3f size(query->value(1).toFloat(), query->value(2).toFloat(),
-                               query->value(3).toFloat());
-    if (!size.allFinite() || size.isZero()) continue;
-    for (int i = 0; i < 3; ++i) sides[static_cast<std::size_t>(i)].push_back(size[i]);
+    size.add({query->value(1).toFloat(), query->value(2).toFloat(), query->value(3).toFloat()});
   }
   SCANTROVE_TRY(
       connection.execute("UPDATE objects SET best_view = ? WHERE id = ?", {best_view, object.value}));
   if (best_view.isNull()) return {};  // hidden: its own size comes back with its views
-  // None of its own views has a size: the stored one came from an object that was merged with it.
-  const bool is_unknown = sides[0].empty();
+  // Zero if none of its own views has a size: the stored one came from an object that was merged with it.
+  const Eigen::Vector3f size_m = size.value_m();
   SCANTROVE_TRY(connection.execute("UPDATE objects SET size_x_m = ?, size_y_m = ?, size_z_m = ? WHERE id = ?",
-                                   {is_unknown ? 0 : medianOf(sides[0]), is_unknown ? 0 : medianOf(sides[1]),
-                                    is_unknown ? 0 : medianOf(sides[2]), object.value}));
+                                   {size_m.x(), size_m.y(), size_m.z(), object.value}));
   return {};
 }
 
