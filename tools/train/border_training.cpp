@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "core/labeling/border_features.h"
-#include "tools/train/boosting.h"
+#include "tools/train/cross_validation.h"
 #include "tools/train/models.h"
 
 namespace scantrove::train {
 namespace {
-
-constexpr std::size_t kFolds = 5;
 
 constexpr std::size_t indexOf(std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(kBorderFeatures, name, &Feature<SizedBorder>::name) -
@@ -46,7 +45,7 @@ class Examples {
       examples_.push_back(std::move(example));
     }
   }
-  [[nodiscard]] const std::vector<Example>& all() const { return examples_; }
+  [[nodiscard]] std::vector<Example> take() { return std::move(examples_); }
 
  private:
   /// A camera may have no colour: one in so many is repeated without it.
@@ -108,27 +107,23 @@ Result<std::string> trainBorder(std::span<const SceneSamples> scenes, const Prov
                               .feature_part = 0.7,
                               .directions = directions()};
   std::vector<std::pair<float, bool>> judged;
-  for (std::size_t fold = 0; fold < kFolds; ++fold) {
-    Examples others;
+  const auto examplesWithout = [&](std::size_t fold) {
+    Examples examples;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      if (i % kFolds != fold) others.add(scenes[i]);
+      if (i % kFolds != fold) examples.add(scenes[i]);
     }
-    const auto text = trainModel(others.all(), params, description);
-    if (!text) return fail(text.error());
-    const auto model = readModel(*text, description);
-    if (!model) return fail(model.error());
-    for (std::size_t i = fold; i < scenes.size(); i += kFolds) {
-      for (const BorderSample& sample : scenes[i].borders) {
-        std::vector<float> x = sample.x;
-        judged.emplace_back(model->logOdds(x), sample.is_same_object);
-      }
+    return examples.take();
+  };
+  const auto judge = [&](const SceneSamples& scene, const BoostedTrees& model) {
+    for (const BorderSample& sample : scene.borders) {
+      std::vector<float> x = sample.x;
+      judged.emplace_back(model.logOdds(x), sample.is_same_object);
     }
-  }
+  };
+  SCANTROVE_TRY(crossValidate(scenes, params, description, examplesWithout, judge));
   description.held_out = fmt::format("{} folds by scene: area under the curve {:.4f}", kFolds,
                                      areaUnderCurve(std::move(judged)));
-  Examples all;
-  for (const SceneSamples& scene : scenes) all.add(scene);
-  return trainModel(all.all(), params, description);
+  return trainModel(examplesWithout(kFolds), params, description);
 }
 
 }  // namespace scantrove::train

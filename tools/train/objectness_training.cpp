@@ -7,13 +7,12 @@
 
 #include "core/discovery/objectness/objectness_features.h"
 #include "core/refinement/rated_sets.h"
-#include "tools/train/boosting.h"
+#include "tools/train/cross_validation.h"
 #include "tools/train/models.h"
 
 namespace scantrove::train {
 namespace {
 
-constexpr std::size_t kFolds = 5;
 constexpr float kCompleteOverlap = 0.6F;  // as `scantrove evaluate catalogue` counts
 constexpr double kCompletePart = 0.8;     // of a set's observations
 
@@ -131,13 +130,9 @@ Result<std::string> trainObjectness(std::span<const SceneSamples> scenes, const 
   BoostingParams params = kParams;
   params.trees = std::min(params.trees, trees);
   HeldOut held_out;
-  for (std::size_t fold = 0; fold < kFolds; ++fold) {
-    const auto text = trainModel(examplesOf(scenes, fold), params, description);
-    if (!text) return fail(text.error());
-    const auto model = readModel(*text, description);
-    if (!model) return fail(model.error());
-    for (std::size_t i = fold; i < scenes.size(); i += kFolds) held_out.add(scenes[i], *model);
-  }
+  SCANTROVE_TRY(crossValidate(
+      scenes, params, description, [&](std::size_t fold) { return examplesOf(scenes, fold); },
+      [&](const SceneSamples& scene, const BoostedTrees& model) { held_out.add(scene, model); }));
   description.held_out = held_out.text();
   return trainModel(examplesOf(scenes, kFolds), params, description);
 }
