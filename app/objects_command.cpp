@@ -48,7 +48,7 @@ Result<ObjectRecord> findObject(ObjectDatabase& database, const std::string& tex
 Json toJson(const ObjectRecord& object) {
   return {{"id", object.id.value},
           {"name", object.name},
-          {"named_by_person", object.named_by == NamedBy::person},
+          {"named_by_person", object.named_by == NamedBy::user},
           {"confirmed", object.confirmed},
           {"size_m", {object.size_m.x(), object.size_m.y(), object.size_m.z()}},
           {"views", object.views},

@@ -28,7 +28,7 @@ std::optional<PixelOfFrame> parsePixel(const std::string& text, int frame) {
 
 }  // namespace
 
-Result<OpenSession::Place> placeOf(OpenSession& session, const std::string& text, int frame) {
+Result<OpenSession::SurfacePoint> surfacePointAt(OpenSession& session, const std::string& text, int frame) {
   const auto pixel = parsePixel(text, frame);
   if (!pixel)
     return fail("'" + text + "' is not a pixel.",

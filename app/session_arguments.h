@@ -26,6 +26,7 @@ struct SessionArguments {
 
 /// The region and point at a pixel, given as "N:x,y" or as "x,y" of `frame`. Error: another format, or as
 /// OpenSession::at().
-[[nodiscard]] Result<OpenSession::Place> placeOf(OpenSession& session, const std::string& text, int frame);
+[[nodiscard]] Result<OpenSession::SurfacePoint> surfacePointAt(OpenSession& session, const std::string& text,
+                                                               int frame);
 
 }  // namespace scantrove

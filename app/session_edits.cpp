@@ -80,17 +80,17 @@ Result<void> cutRegion(OpenSession& session, const SessionArguments& arguments) 
   for (const auto& [texts, places] : {std::pair(&arguments.here, &operation.here_world),
                                       std::pair(&arguments.there, &operation.there_world)}) {
     for (const std::string& text : *texts) {
-      const auto place = placeOf(session, text, arguments.frame);
-      if (!place) return fail(place.error());
-      if (!place->region)
+      const auto point = surfacePointAt(session, text, arguments.frame);
+      if (!point) return fail(point.error());
+      if (!point->region)
         return fail("There is no region at " + text + ".", "Give a pixel that shows a region.");
-      if (operation.regions.empty()) operation.regions = {place->region};
-      if (operation.regions.front() != place->region) {
-        return fail("Region " + std::to_string(place->region.value) + " is at " + text + ", not region " +
+      if (operation.regions.empty()) operation.regions = {point->region};
+      if (operation.regions.front() != point->region) {
+        return fail("Region " + std::to_string(point->region.value) + " is at " + text + ", not region " +
                         std::to_string(operation.regions.front().value) + ".",
                     "Give points of one region.");
       }
-      places->push_back(place->point_world);
+      places->push_back(point->point_world);
     }
   }
   return report(session.edit(operation), arguments);

@@ -123,15 +123,15 @@ Result<void> listRegions(OpenSession& session, const SessionArguments& arguments
 }
 
 Result<void> showAt(OpenSession& session, const SessionArguments& arguments) {
-  const auto place = placeOf(session, arguments.pixel, arguments.frame);
-  if (!place) return fail(place.error());
-  const std::string name = session.labelOf(place->region).name;
+  const auto point = surfacePointAt(session, arguments.pixel, arguments.frame);
+  if (!point) return fail(point.error());
+  const std::string name = session.labelOf(point->region).name;
   if (arguments.json) {
-    printJson({{"region", place->region.value},
+    printJson({{"region", point->region.value},
                {"name", name},
-               {"point_m", toJson(place->point_world, session.setup().origin_m)}});
+               {"point_m", toJson(point->point_world, session.setup().origin_m)}});
   } else {
-    std::cout << place->region.value << (name.empty() ? "" : "  ") << inLine(name) << '\n';
+    std::cout << point->region.value << (name.empty() ? "" : "  ") << inLine(name) << '\n';
   }
   return {};
 }

@@ -15,7 +15,7 @@ constexpr int kViewsOfAScan = 2048;
 }  // namespace
 
 CatalogueMirror::Continued CatalogueMirror::continued() const {
-  return {session_, next_key_, {ids_.begin(), ids_.end()}, model_.keptApart(), regrouped_};
+  return {session_, next_key_, {ids_.begin(), ids_.end()}, model_.keptApart(), merge_edited_};
 }
 
 void CatalogueMirror::continueSession(Continued earlier) {
@@ -26,7 +26,7 @@ void CatalogueMirror::continueSession(Continued earlier) {
     keys_[id] = key;
   }
   for (const auto& [a, b] : earlier.kept_apart) model_.keepApart(a, b);
-  regrouped_ = std::move(earlier.regrouped);
+  merge_edited_ = std::move(earlier.merge_edited);
 }
 
 Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
@@ -138,9 +138,9 @@ Eigen::Vector3f CatalogueMirror::sizeOf(ObjectId root) const {
   return size.value_m();
 }
 
-int CatalogueMirror::viewsToCome(ObjectId root) const {
+int CatalogueMirror::pendingViews(ObjectId root) const {
   int views = 0;
-  for (const auto& [object, count] : views_to_come_) {
+  for (const auto& [object, count] : pending_views_) {
     if (mergeRootOf(object) == root) views += count;
   }
   return views;
@@ -162,7 +162,7 @@ void CatalogueMirror::add(const ObjectView& first_view) {
 void CatalogueMirror::addView(const ObjectView& view) {
   if (view.descriptor) detector_.add({0, view.object, view.size_m, *view.descriptor});
   addSize(view.object, view.size_m);
-  ++views_to_come_[view.object];
+  ++pending_views_[view.object];
   const auto found = records_.find(mergeRootOf(view.object));
   if (found == records_.end()) return;
   ++found->second.views;
@@ -170,7 +170,7 @@ void CatalogueMirror::addView(const ObjectView& view) {
 }
 
 void CatalogueMirror::merge(ObjectId a, ObjectId b) {
-  merges_to_come_.emplace_back(a, b);
+  pending_merges_.emplace_back(a, b);
   static_cast<void>(model_.merge(std::array{a, b}));
   updateFromModel();
 }
@@ -188,7 +188,7 @@ void CatalogueMirror::join(ObjectId into, ObjectId from) {
 }
 
 void CatalogueMirror::name(ObjectId object, const std::string& name) {
-  names_to_come_.emplace_back(object, name);
+  pending_names_.emplace_back(object, name);
   applyName(object, name);
 }
 
@@ -208,7 +208,7 @@ void CatalogueMirror::withdraw(ObjectId object) {
   model_.put(std::move(made));
   if (!model_.withdraw(object).value_or(false)) return model_.put(before);
   updateFromModel();
-  std::erase_if(names_to_come_, [object](const auto& name) { return name.first == object; });
+  std::erase_if(pending_names_, [object](const auto& name) { return name.first == object; });
 }
 
 /// Applies one event of the writer.
@@ -230,12 +230,12 @@ struct CatalogueMirror::Applied {
       object.name = e.record.name;
       mirror.model_.put(std::move(object));
     }
-    mirror.applyToCome();
+    mirror.applyPending();
     settleView(e.key);
   }
   void operator()(const event::ObjectRefused& e) const {
     mirror.setHidden(e.key);
-    mirror.views_to_come_.erase(e.key);
+    mirror.pending_views_.erase(e.key);
   }
   void operator()(const event::ViewStored& e) const { settleView(e.key); }
   void operator()(const event::ViewDropped& e) const {
@@ -260,7 +260,7 @@ struct CatalogueMirror::Applied {
         mirror.putRecord(std::move(record));
         mirror.updateRoots();
         mirror.records_.erase(from);
-        mirror.records_.at(into).views += mirror.viewsToCome(into);
+        mirror.records_.at(into).views += mirror.pendingViews(into);
       }
     }
   }
@@ -286,14 +286,14 @@ struct CatalogueMirror::Applied {
     mirror.model_.put(std::move(part));
   }
   void settleView(ObjectId key) const {
-    const auto found = mirror.views_to_come_.find(key);
-    if (found != mirror.views_to_come_.end() && --found->second == 0) mirror.views_to_come_.erase(found);
+    const auto found = mirror.pending_views_.find(key);
+    if (found != mirror.pending_views_.end() && --found->second == 0) mirror.pending_views_.erase(found);
   }
   void endMerge() const {
-    if (!mirror.merges_to_come_.empty()) mirror.merges_to_come_.erase(mirror.merges_to_come_.begin());
+    if (!mirror.pending_merges_.empty()) mirror.pending_merges_.erase(mirror.pending_merges_.begin());
   }
   void endName() const {
-    if (!mirror.names_to_come_.empty()) mirror.names_to_come_.erase(mirror.names_to_come_.begin());
+    if (!mirror.pending_names_.empty()) mirror.pending_names_.erase(mirror.pending_names_.begin());
   }
 };
 
@@ -313,8 +313,8 @@ void CatalogueMirror::edit(const CatalogueEdits& edits) {
     }
     if (change.kind == CatalogueChange::Kind::unmerged) model_.keepApart(object, other);
     if (!change.movesViews()) continue;
-    regrouped_.insert(object);
-    if (other) regrouped_.insert(other);
+    merge_edited_.insert(object);
+    if (other) merge_edited_.insert(other);
   }
   for (const ObjectState& object : edits.objects) put(object);
   if (!edits.objects.empty()) {
@@ -326,20 +326,20 @@ void CatalogueMirror::edit(const CatalogueEdits& edits) {
     ObjectRecord record = read;
     record.id = keyOf(read.id);
     if (mergeRootOf(record.id) != record.id) continue;  // merged here, but not yet in the database
-    record.views += viewsToCome(record.id);
+    record.views += pendingViews(record.id);
     putRecord(std::move(record));
   }
-  applyToCome();
+  applyPending();
 }
 
-void CatalogueMirror::applyToCome() {
-  for (const auto& [a, b] : merges_to_come_) {
+void CatalogueMirror::applyPending() {
+  for (const auto& [a, b] : pending_merges_) {
     const ObjectId first = mergeRootOf(a), second = mergeRootOf(b);
     if (!first || !second || first == second) continue;
     static_cast<void>(model_.merge(std::array{first, second}));
     updateFromModel();
   }
-  for (const auto& [object, name] : names_to_come_) applyName(object, name);
+  for (const auto& [object, name] : pending_names_) applyName(object, name);
 }
 
 }  // namespace scantrove

@@ -37,7 +37,7 @@ class CatalogueMirror {
     std::uint32_t next_key = kFirstKey;                  ///< for the next new object
     std::map<ObjectId, ObjectId> ids;                    ///< of the scan's stored objects, by key
     std::set<std::pair<ObjectId, ObjectId>> kept_apart;  ///< users undid their merges; smaller id first
-    std::set<ObjectId> regrouped;                        ///< objects that users restored, merged or split
+    std::set<ObjectId> merge_edited;                     ///< objects that users restored, merged or split
   };
   /// Must precede load().
   void continueSession(Continued earlier);
@@ -59,7 +59,7 @@ class CatalogueMirror {
   /// CatalogueModel::mergeRoot(), from an index.
   [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const { return detector_.mergeRootOf(object); }
   /// Whether others deleted, restored or merged the object, or undid a merge.
-  [[nodiscard]] bool isRegrouped(ObjectId object) const { return regrouped_.contains(object); }
+  [[nodiscard]] bool isMergeEdited(ObjectId object) const { return merge_edited_.contains(object); }
   [[nodiscard]] Detector& detector() { return detector_; }
   /// Object positions in earlier scans.
   [[nodiscard]] KnownLayouts& places() { return places_; }
@@ -107,25 +107,25 @@ class CatalogueMirror {
   void putRecord(ObjectRecord record);
   [[nodiscard]] Eigen::Vector3f sizeOf(ObjectId root) const;
   /// Number of the object's views that the database does not have yet.
-  [[nodiscard]] int viewsToCome(ObjectId root) const;
+  [[nodiscard]] int pendingViews(ObjectId root) const;
   void edit(const CatalogueEdits& edits);
   void applyName(ObjectId object, const std::string& name);
   /// Applies changes again that the database does not have yet.
-  void applyToCome();
+  void applyPending();
 
   Detector detector_;
   KnownLayouts places_;
   CatalogueModel model_;
   std::unordered_map<ObjectId, ObjectRecord> records_;                // of visible objects
   std::unordered_map<ObjectId, std::vector<Eigen::Vector3f>> sizes_;  // of the views, by first object
-  std::set<ObjectId> regrouped_;
+  std::set<ObjectId> merge_edited_;
 
   std::int64_t session_ = 0;  // the catalogue's session that continues; 0: none
   std::uint32_t next_key_ = kFirstKey;
   std::unordered_map<ObjectId, ObjectId> ids_, keys_;            // of this scan's stored objects
-  std::map<ObjectId, int> views_to_come_;                        // by first object
-  std::vector<std::pair<ObjectId, ObjectId>> merges_to_come_;    // in order
-  std::vector<std::pair<ObjectId, std::string>> names_to_come_;  // likewise
+  std::map<ObjectId, int> pending_views_;                        // by first object
+  std::vector<std::pair<ObjectId, ObjectId>> pending_merges_;    // in order
+  std::vector<std::pair<ObjectId, std::string>> pending_names_;  // likewise
 };
 
 }  // namespace scantrove

@@ -141,7 +141,7 @@ Result<ObjectNaming> CatalogueModel::nameByUser(ObjectId id, const std::string& 
   if (is_other && isSettled(*own)) return ObjectNaming{};
   const ObjectState before = is_other ? *other : *own;
   ObjectNaming naming{before.id, *checked, before.name, before.named_by, before.confirmed};
-  applyName(before.id, *checked, NamedBy::person);  // first, because a user's name decides the root
+  applyName(before.id, *checked, NamedBy::user);  // first, because a user's name decides the root
   applyConfirmed(before.id, true);
   if (is_other) SCANTROVE_TRY(moveInto(naming.merge, merge(std::array{before.id, own->id})));
   return naming;
@@ -158,7 +158,7 @@ Result<bool> CatalogueModel::revertNaming(const ObjectNaming& naming) {
     if (is_done) SCANTROVE_TRY(unmerge(*naming.merge));
   }
   const ObjectState& now = objects_.at(naming.object);
-  if (now.hidden || now.name != naming.name || now.named_by != NamedBy::person) return is_done;
+  if (now.hidden || now.name != naming.name || now.named_by != NamedBy::user) return is_done;
   if (const ObjectState* other = named(naming.earlier_name); other != nullptr && other->id != now.id)
     return is_done;
   applyName(naming.object, naming.earlier_name, naming.earlier_named_by);
@@ -177,7 +177,7 @@ Result<ObjectMerge> CatalogueModel::merge(std::span<const ObjectId> ids) {
     ranked.push_back(*object);
   }
   std::ranges::stable_sort(ranked, std::greater<>(), [](const ObjectState& object) {
-    return std::pair(object.named_by == NamedBy::person, object.confirmed);
+    return std::pair(object.named_by == NamedBy::user, object.confirmed);
   });
   const ObjectState& root = ranked.front();
   ObjectMerge merge{root.id, {}, false};

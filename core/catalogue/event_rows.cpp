@@ -33,7 +33,7 @@ QVariant textOrNull(const QJsonObject& object) {
 
 QJsonObject toJson(const ObjectState& object) {
   QJsonObject json{{"name", QString::fromStdString(object.name)},
-                   {"named_by_person", object.named_by == NamedBy::person},
+                   {"named_by_person", object.named_by == NamedBy::user},
                    {"confirmed", object.confirmed},
                    {"hidden", object.hidden}};
   if (object.merged_into) json.insert("merged_into", static_cast<qint64>(object.merged_into.value));
@@ -45,7 +45,7 @@ QJsonObject readJson(const QVariant& text) { return QJsonDocument::fromJson(text
 ObjectState stateFrom(ObjectId id, const QJsonObject& json) {
   return {id,
           json["name"].toString().toStdString(),
-          json["named_by_person"].toBool() ? NamedBy::person : NamedBy::program,
+          json["named_by_person"].toBool() ? NamedBy::user : NamedBy::program,
           json["confirmed"].toBool(),
           json["hidden"].toBool(),
           ObjectId{static_cast<std::uint32_t>(json["merged_into"].toInteger())}};

@@ -30,7 +30,7 @@ ObjectRecord toRecord(const QSqlQuery& query) {
   record.first_session = query.value(7).toLongLong();
   record.first_session_name = query.value(8).toString().toStdString();
   record.created = query.value(9).toString().toStdString();
-  record.named_by = query.value(10).toInt() != 0 ? NamedBy::person : NamedBy::program;
+  record.named_by = query.value(10).toInt() != 0 ? NamedBy::user : NamedBy::program;
   return record;
 }
 

@@ -80,7 +80,7 @@ class ObjectDatabase {
   [[nodiscard]] Result<bool> discardViews(ObjectId object, std::int64_t session, std::span<const int> frames);
 
   // Operations of CatalogueModel.
-  Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::person);
+  Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::user);
   Result<void> setConfirmed(std::span<const ObjectId> objects, bool confirmed);
   [[nodiscard]] Result<ObjectNaming> nameByUser(ObjectId id, const std::string& name);
   [[nodiscard]] Result<bool> revertNaming(const ObjectNaming& naming);

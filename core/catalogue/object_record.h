@@ -34,7 +34,7 @@ struct ObjectView {
   std::optional<Thumbnail> descriptor;
 };
 
-enum class NamedBy { program, person };
+enum class NamedBy { program, user };
 
 /// One object of the catalogue.
 struct ObjectRecord {
@@ -64,7 +64,7 @@ struct ObjectState {
 /// Whether a user named or confirmed this object.
 template <class Object>
 [[nodiscard]] bool isSettled(const Object& object) {
-  return object.confirmed || object.named_by == NamedBy::person;
+  return object.confirmed || object.named_by == NamedBy::user;
 }
 
 /// The object that has the views of `object` now.

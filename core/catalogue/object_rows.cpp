@@ -29,9 +29,8 @@ Result<void> ObjectRows::select(const QString& condition, const QVariantList& va
   if (!query) return fail(query.error());
   while (query->next()) {
     model_.put({ObjectId{query->value(0).toUInt()}, query->value(1).toString().toStdString(),
-                query->value(2).toInt() != 0 ? NamedBy::person : NamedBy::program,
-                query->value(3).toInt() != 0, query->value(4).toInt() != 0,
-                ObjectId{query->value(5).toUInt()}});
+                query->value(2).toInt() != 0 ? NamedBy::user : NamedBy::program, query->value(3).toInt() != 0,
+                query->value(4).toInt() != 0, ObjectId{query->value(5).toUInt()}});
   }
   return {};
 }
@@ -94,7 +93,7 @@ Result<void> ObjectRows::store() {
       SCANTROVE_TRY(connection_.execute(
           "UPDATE objects SET name = ?, named_by_person = ?, confirmed = ?, hidden = ?, merged_into = ?"
           " WHERE id = ?",
-          {QString::fromStdString(row.name), static_cast<int>(row.named_by == NamedBy::person),
+          {QString::fromStdString(row.name), static_cast<int>(row.named_by == NamedBy::user),
            static_cast<int>(row.confirmed), static_cast<int>(row.hidden), orNull(row.merged_into.value),
            row.id.value}));
     }

@@ -12,7 +12,7 @@ NamingJson namingToJson(const StoredNaming& kept) {
   NamingJson json{{"object", naming.object.value},
                   {"name", naming.name},
                   {"earlier_name", naming.earlier_name},
-                  {"earlier_by_person", naming.earlier_named_by == NamedBy::person},
+                  {"earlier_by_person", naming.earlier_named_by == NamedBy::user},
                   {"earlier_confirmed", naming.earlier_confirmed},
                   {"earlier_object", kept.earlier.value},
                   {"made_object", kept.made.value}};
@@ -30,8 +30,7 @@ StoredNaming namingFromJson(const NamingJson& json) {
   kept.naming.object = idAt("object");
   kept.naming.name = json.at("name").get<std::string>();
   kept.naming.earlier_name = json.at("earlier_name").get<std::string>();
-  kept.naming.earlier_named_by =
-      json.at("earlier_by_person").get<bool>() ? NamedBy::person : NamedBy::program;
+  kept.naming.earlier_named_by = json.at("earlier_by_person").get<bool>() ? NamedBy::user : NamedBy::program;
   kept.naming.earlier_confirmed = json.at("earlier_confirmed").get<bool>();
   kept.earlier = idAt("earlier_object");
   kept.made = idAt("made_object");

@@ -47,7 +47,7 @@ void describe(Archive& archive, T& view) {
 template <class Archive, SameRecord<CollectorState> T>
 void describe(Archive& archive, T& state) {
   archive(state.catalogue.session, state.last_event, state.catalogue.next_key, state.catalogue.ids,
-          state.catalogue.kept_apart, state.catalogue.regrouped);
+          state.catalogue.kept_apart, state.catalogue.merge_edited);
   archive(state.tracks.tracks, state.tracks.object_of_region, state.recognizer.history);
   archive(state.requests.pending, state.requests.not_objects);
   archive(state.identities.mismatches, state.identities.replaced_by, state.identities.seen_together);

@@ -190,7 +190,8 @@ void UserRequests::complete(const Candidate& candidate, ObjectId object, MadeFor
 
 bool UserRequests::isEdited(ObjectId object) const {
   const ObjectRecord* record = catalogue_.currentRecord(object);
-  return record == nullptr || isSettled(*record) || isRequested(object) || catalogue_.isRegrouped(record->id);
+  return record == nullptr || isSettled(*record) || isRequested(object) ||
+         catalogue_.isMergeEdited(record->id);
 }
 
 bool UserRequests::isFixed(ObjectId object) const {

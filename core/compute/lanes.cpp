@@ -24,16 +24,16 @@ bool isWidth(int lanes) { return std::ranges::find(kWidths, lanes) != kWidths.en
 }  // namespace
 
 Result<Lanes> Lanes::choose(const cl::Device& device, int requested) {
-  std::string said = std::to_string(requested);
+  std::string given = std::to_string(requested);
   if (requested == 0) {
     const char* from_environment = std::getenv("SCANTROVE_LANES");
     if (from_environment == nullptr || *from_environment == '\0') return Lanes(widthOf(device));
-    said = from_environment;
-    const auto [end, failure] = std::from_chars(said.data(), said.data() + said.size(), requested);
-    if (failure != std::errc{} || end != said.data() + said.size()) requested = 0;
+    given = from_environment;
+    const auto [end, failure] = std::from_chars(given.data(), given.data() + given.size(), requested);
+    if (failure != std::errc{} || end != given.data() + given.size()) requested = 0;
   }
   if (!isWidth(requested)) {
-    return fail("Kernels cannot do '" + said + "' values at a time.",
+    return fail("Kernels cannot do '" + given + "' values at a time.",
                 "SCANTROVE_LANES is 1, 4, 8 or 16; without it the device's own width is taken.");
   }
   return Lanes(requested);

@@ -213,7 +213,7 @@ Result<QSqlQuery> DatabaseConnection::execute(const QString& sql, const QVariant
   SCANTROVE_CHECK(thread_ == std::this_thread::get_id());
   if (has_lost_transaction_) {
     return fail("The database " + file_ + " has taken back what was being written into it.",
-                "Look for what was said before this; nothing was changed.");
+                "An earlier message names the reason; nothing was changed.");
   }
   QSqlQuery query(QSqlDatabase::database(name_, false));
   query.setForwardOnly(true);

@@ -73,7 +73,7 @@ ExportJson objectToJson(const ObjectRecord& object, const std::string& folder, s
           {"name", object.name},
           {"folder", folder},
           {"views", views},
-          {"named_by_person", object.named_by == NamedBy::person},
+          {"named_by_person", object.named_by == NamedBy::user},
           {"confirmed", object.confirmed},
           {"size_m", toJson(object.size_m)},
           {"first_session", object.first_session_name},

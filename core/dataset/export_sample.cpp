@@ -65,7 +65,7 @@ cv::Mat pictureWithMasks(const KeyFrameImage& read) {
 
 }  // namespace
 
-Result<ExportSample> sampleExport(LabeledScan& scan, const ExportOptions& options, std::optional<int> place) {
+Result<ExportSample> sampleExport(LabeledScan& scan, const ExportOptions& options, std::optional<int> index) {
   ExportSample sample;
   if (!hasImages(options.format)) return sample;
   auto frames = scan.keyFrames(options.all_frames);
@@ -74,8 +74,8 @@ Result<ExportSample> sampleExport(LabeledScan& scan, const ExportOptions& option
   std::erase_if(*frames, [&](const KeyFrameInfo& frame) { return needs_color && frame.color_file.empty(); });
   sample.count = static_cast<int>(frames->size());
   if (frames->empty()) return sample;
-  sample.place = std::clamp(place.value_or(sample.count / 2), 0, sample.count - 1);
-  const KeyFrameInfo& frame = (*frames)[static_cast<std::size_t>(sample.place)];
+  sample.index = std::clamp(index.value_or(sample.count / 2), 0, sample.count - 1);
+  const KeyFrameInfo& frame = (*frames)[static_cast<std::size_t>(sample.index)];
   sample.frame = frame.index;
   auto read = readKeyFrameImage(scan, frame);
   if (!read) {

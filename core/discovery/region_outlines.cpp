@@ -72,14 +72,14 @@ OutlineSteps RegionOutlines::between(RegionId a, RegionId b) const {
 }
 
 std::vector<RegionId> RegionOutlines::touchedBy(RegionId region, int least_steps) const {
-  std::vector<RegionId> met;
+  std::vector<RegionId> neighbors;
   const auto outline = outlines_.find(region);
-  if (outline == outlines_.end()) return met;
+  if (outline == outlines_.end()) return neighbors;
   for (const Beyond& beyond : outline->second) {
-    if (beyond.region && beyond.steps.known() >= least_steps) met.push_back(beyond.region);
+    if (beyond.region && beyond.steps.known() >= least_steps) neighbors.push_back(beyond.region);
   }
-  std::ranges::sort(met);
-  return met;
+  std::ranges::sort(neighbors);
+  return neighbors;
 }
 
 }  // namespace scantrove

@@ -347,13 +347,13 @@ void RegionEditor::holdTogether(const OperationLog::Entry& entry) {
   OperationEffect more;
   for (const auto& [into, from] : joinedBy(entry)) {
     if (!exists(into) || !exists(from)) continue;
-    const bool is_said =
+    const bool is_linked =
         std::ranges::any_of(entry.effect.constraints, [&, into = into, from = from](const auto& constraint) {
           const RegionId a = table_.regionOf(constraint.a), b = table_.regionOf(constraint.b);
           return constraint.after == LinkConstraint::must_link &&
                  ((a == into && b == from) || (a == from && b == into));
         });
-    if (is_said) continue;
+    if (is_linked) continue;
     const FragmentId a = largestOf(table_.fragmentsOf(into)), b = largestOf(table_.fragmentsOf(from));
     more.constraints.push_back({a, b, merger_->constraintBetween(a, b), LinkConstraint::must_link});
   }

@@ -32,8 +32,8 @@ std::vector<PosePair> associate(std::span<const StampedPose> estimate, std::span
     // Recordings print times with four to six digits: rounding must not decide whether a difference equals
     // the limit.
     if (distance(e, t) > max_difference_s + 1e-9) continue;
-    std::optional<std::size_t>& holder = estimate_of_truth[t];
-    if (!holder || distance(e, t) < distance(*holder, t)) holder = e;
+    std::optional<std::size_t>& nearest = estimate_of_truth[t];
+    if (!nearest || distance(e, t) < distance(*nearest, t)) nearest = e;
   }
   std::vector<PosePair> pairs;
   for (std::size_t t = 0; t < truth.size(); ++t) {

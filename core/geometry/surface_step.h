@@ -5,24 +5,24 @@
 
 namespace scantrove {
 
-// How the map's surface goes on from one pixel of a rendered view to another across an outline.
+// The map's surface across an outline: from a pixel of a rendered view to a pixel beyond it.
 
-/// Pixels at an edge may lie between two surfaces: a step looks past the first pixel beyond the outline.
+/// Pixels at an edge may lie between two surfaces: a step ends past the first pixel beyond the outline.
 inline constexpr int kBeyondEdge_px = 2;
-/// Normals and segments are compared up to so many pixels to either side: nearer, voxels mix both sides.
+/// Normals and segments are compared this many pixels to either side; nearer voxels mix both sides.
 inline constexpr int kBendReach_px = 3;
 /// A surface that turns by more has an edge there: 20 degrees, well above the noise of normals.
 inline constexpr float kClearBend_rad = 0.35F;
 
-/// Depths that differ by more are of surfaces that do not touch: one hides the other. What rises less above
-/// its surroundings (a plate, the rim of a rug) hides no floor, and depth edges blur by as much.
+/// Surfaces whose depths differ by more do not touch: one occludes the other. Lower things (a plate, the edge
+/// of a rug) occlude no floor, and depth edges blur by as much.
 inline constexpr float kOcclusionStep_m = 0.03F;
-/// From this depth on the step grows in proportion, as pixels do.
+/// Beyond this depth the step grows in proportion to depth, as pixels do.
 inline constexpr float kOcclusionStepGrowsFrom_m = 1.5F;
 
 enum class DepthStep { nearer, level, deeper };
 
-/// What lies beyond a step, where the depth goes from `z` to `z_beyond`, metres.
+/// Compares the depth beyond a step, `z_beyond`, with that before it, `z`; metres.
 [[nodiscard]] inline DepthStep depthStep(float z, float z_beyond) {
   const float step_m = kOcclusionStep_m * std::max(1.0F, z / kOcclusionStepGrowsFrom_m);
   if (z_beyond < z - step_m) return DepthStep::nearer;

@@ -10,8 +10,8 @@ namespace scantrove {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-/// Where a camera in the hand of somebody who walks around looks from, and where from above. In between lies
-/// more than reach and cell together, so that neither is taken for the other.
+/// Elevations of a hand-held camera that views a side, and of one that views the top. The gap between them is
+/// wider than reach and cell together, so that no view counts as both.
 constexpr std::array kHeightsOfSides_deg{-15.0F, 0.0F, 15.0F, 30.0F, 45.0F};
 constexpr std::array kHeightsAbove_deg{75.0F, 90.0F};
 
@@ -86,7 +86,7 @@ SeenSides sidesOf(const ViewCoverage& coverage, const SideAxes& axes) {
 
 std::optional<Eigen::Vector3f> nextDirection(const SeenSides& seen, const SideAxes& axes,
                                              const Eigen::Vector3f& from) {
-  // As a person holds a camera who walks around a table.
+  // The usual elevations of a hand-held camera around a table.
   constexpr float kLowest_deg = 10, kHighest_deg = 50;
   const float height = from.normalized().dot(axes.up);
   const float elevation_deg =

@@ -6,7 +6,7 @@
 
 namespace scantrove {
 
-/// From which directions something was seen: a sphere around it, in 256 cells of equal size. Directions are
+/// The directions from which a thing was seen: a sphere around it, in 256 cells of equal size. Directions are
 /// vectors of any length from the thing to the camera, in the world.
 class ViewCoverage {
  public:
@@ -16,12 +16,12 @@ class ViewCoverage {
   static constexpr float kReach_deg = 22.5F;
 
   ViewCoverage() = default;
-  /// As cells() gave it.
+  /// `cells`: from cells().
   explicit ViewCoverage(const Cells& cells) : cells_(cells) {}
 
-  /// It was seen from there. One that is not a finite, non-zero vector changes nothing.
+  /// Adds a view. Ignores a vector that is zero or not finite.
   void addDirection(const Eigen::Vector3f& direction);
-  /// It is part of what the other one is of, or the other way round.
+  /// Adds the views of a part of the thing.
   void add(const ViewCoverage& other) { cells_ |= other.cells_; }
 
   [[nodiscard]] bool covers(const Eigen::Vector3f& direction) const;
@@ -31,17 +31,17 @@ class ViewCoverage {
   bool operator==(const ViewCoverage&) const = default;
 
  private:
-  Cells cells_;  // those that were seen
+  Cells cells_;  // the covered ones
 };
 
-/// What a person has to know of it who walks around a thing: which sides were seen, at whatever height.
+/// The sides of a thing that were seen, for a user who walks around it. Height does not matter.
 struct SeenSides {
   static constexpr std::size_t kSides = 12;  ///< as the hours of a clock, 30 degrees each
   std::array<bool, kSides> sides{};  ///< counterclockwise from above, the first one towards SideAxes::front
   bool above = false;                ///< seen steeply from above
 
   [[nodiscard]] int count() const;
-  /// From all around; for what stands somewhere that is all there is to see.
+  /// Seen from all around. `above` is not required.
   [[nodiscard]] bool isComplete() const { return count() == static_cast<int>(kSides); }
   bool operator==(const SeenSides&) const = default;
 };
@@ -51,17 +51,17 @@ struct SideAxes {
   Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
   Eigen::Vector3f front = -Eigen::Vector3f::UnitZ();
 
-  /// `towards`: any direction; its part along `up` is left out. Some front where nothing else is left of it.
+  /// `front` is the part of `towards` square to `up`; if that vanishes, any direction square to `up`.
   [[nodiscard]] static SideAxes of(const Eigen::Vector3f& up, const Eigen::Vector3f& towards);
-  /// The middle of a side, so high above the horizon. Unit.
+  /// Unit direction of the middle of a side, at this elevation above the horizon.
   [[nodiscard]] Eigen::Vector3f directionOf(std::size_t side, float elevation_deg) const;
   bool operator==(const SideAxes&) const = default;
 };
 
 [[nodiscard]] SeenSides sidesOf(const ViewCoverage& coverage, const SideAxes& axes);
 
-/// Where to look from next: the unseen side with the shortest way around from `from` (thing to camera), as
-/// high as that is, within reason. Unit; none: all sides were seen.
+/// The next direction to scan from: the unseen side nearest to `from` (thing to camera), at the elevation of
+/// `from`, limited to 10 .. 50 degrees. Unit; none: all sides were seen.
 [[nodiscard]] std::optional<Eigen::Vector3f> nextDirection(const SeenSides& seen, const SideAxes& axes,
                                                            const Eigen::Vector3f& from);
 

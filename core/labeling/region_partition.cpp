@@ -143,14 +143,14 @@ class Divider {
       std::uint32_t a, b;
       Constraint constraint;
     };
-    std::vector<UserConstraint> said;
+    std::vector<UserConstraint> by_order;
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
       if (border.constraint != Constraint::none)
-        said.push_back({{border.by_person, border.constraint_order}, a, b, border.constraint});
+        by_order.push_back({{border.by_person, border.constraint_order}, a, b, border.constraint});
     });
-    std::ranges::sort(said, std::greater<>(), &UserConstraint::order);
+    std::ranges::sort(by_order, std::greater<>(), &UserConstraint::order);
     Constraints constraints(members_.size());
-    for (const UserConstraint& entry : said) constraints.add(entry.a, entry.b, entry.constraint);
+    for (const UserConstraint& entry : by_order) constraints.add(entry.a, entry.b, entry.constraint);
     keepApart(table, constraints);
     return constraints;
   }

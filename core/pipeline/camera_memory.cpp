@@ -89,7 +89,7 @@ void put(ByteWriter& to, const SeenSurfaces::View& view) {
   put(to, view.T_world_camera);
   to.put(view.surface.intrinsics());
   put(to, view.surface.units());
-  put(to, view.is_left);
+  put(to, view.is_revisitable);
 }
 
 KeyFrame getKeyFrame(ByteReader& from) {
@@ -110,7 +110,7 @@ SeenSurfaces::View getView(ByteReader& from) {
   view.T_world_camera = getPose(from);
   const Intrinsics K = getCamera(from);
   view.surface = StoredSurface(K, getImage(from, CV_16UC1));
-  view.is_left = getFlag(from);
+  view.is_revisitable = getFlag(from);
   if (view.surface.empty() || !isOf(K, view.surface.units())) from.refuse();
   return view;
 }

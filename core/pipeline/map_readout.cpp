@@ -23,7 +23,7 @@ void setRegions(RenderedView& view, const RegionTable& table) {
 }
 
 Result<RenderedView> MapReadout::renderView(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K) {
-  return guarded("looking at the map", [&]() -> Result<RenderedView> {
+  return guarded("rendering the map", [&]() -> Result<RenderedView> {
     SurfaceMaps surface;
     return render(T_world_camera, K, surface);
   });

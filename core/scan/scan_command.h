@@ -36,7 +36,7 @@ struct EditRegions {
 };
 /// Shows a key frame of the open session.
 struct ShowKeyFrame {
-  int place = 0;  ///< index in ScanSnapshot::key_frames
+  int index = 0;  ///< index in ScanSnapshot::key_frames
 };
 /// The expected content of a data set. ExportPreviewed, or ExportFailed as for all exports when no session
 /// is open.
@@ -46,7 +46,7 @@ struct PreviewExport {
 /// One image of the data set. ExportSampled or ExportFailed.
 struct SampleExport {
   ExportOptions options;
-  std::optional<int> place;  ///< among its images; none: the middle one
+  std::optional<int> index;  ///< among its images; none: the middle one
 };
 /// ExportStepped, then ExportFinished or ExportFailed.
 struct ExportDataset {

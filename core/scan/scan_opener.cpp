@@ -176,11 +176,11 @@ Result<void> ScanOpener::loadEarlier() {
     SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
     SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
   }
-  tellDamages(damages);
+  reportDamages(damages);
   return {};
 }
 
-void ScanOpener::tellDamages(const std::vector<std::string>& damages) const {
+void ScanOpener::reportDamages(const std::vector<std::string>& damages) const {
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
 }
 
@@ -221,7 +221,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
   const bool for_camera = !request.refine_session;
   SCANTROVE_TRY(restoreScan(*parts_.pipeline, *session_, *earlier_, for_camera, damages));
   parts_.objects->restore(*earlier_);
-  tellDamages(damages);
+  reportDamages(damages);
   parts_.recorder =
       SessionRecorder::resume(std::move(session_), *parts_.pipeline, *earlier_, request.record_all);
   SessionRecorder& recorder = *parts_.recorder;

@@ -48,7 +48,7 @@ class ScanOpener {
   [[nodiscard]] Result<void> restoreSession(ObjectDatabase& database);
   /// Frame numbers and times continue those of the earlier frames.
   void continueNumbers(const std::vector<SavedFrame>& earlier);
-  void tellDamages(const std::vector<std::string>& damages) const;
+  void reportDamages(const std::vector<std::string>& damages) const;
 
   const ScanListener& listener_;
   ScanParts parts_;

@@ -36,9 +36,9 @@ Result<void> ScanRefinement::runPass(ScanParts& parts, const Callbacks& callback
         {key.frame.source_index, key.frame.T_world_camera,
          [&key, folder = parts.recorder->folder()] { return readKeyFrame(folder, key.images, key.frame); }});
   }
-  const auto tell = [&](int done, int steps) { callbacks.stepped({done, steps, report_.key_frames}); };
+  const auto report_step = [&](int done, int steps) { callbacks.stepped({done, steps, report_.key_frames}); };
   FinalPass pass(*parts.pipeline, collector, std::move(key_frames),
-                 {callbacks.may_continue, tell, callbacks.collected});
+                 {callbacks.may_continue, report_step, callbacks.collected});
   report_.key_frames = pass.keyFrames();
   if (!callbacks.may_continue()) return {};
   callbacks.begins();

@@ -173,13 +173,13 @@ void ScanReview::report(const Result<Value>& outcome) {
 void ScanReview::execute(const PreviewExport& command) {
   SessionScan scan(*session_);
   report<ExportPreviewed>(
-      guarded("looking what the data set would hold", [&] { return previewExport(scan, command.options); }));
+      guarded("previewing the data set", [&] { return previewExport(scan, command.options); }));
 }
 
 void ScanReview::execute(const SampleExport& command) {
   SessionScan scan(*session_);
-  report<ExportSampled>(guarded("looking at an image of the data set",
-                                [&] { return sampleExport(scan, command.options, command.place); }));
+  report<ExportSampled>(guarded("previewing an image of the data set",
+                                [&] { return sampleExport(scan, command.options, command.index); }));
 }
 
 void ScanReview::execute(const ExportDataset& command, const std::stop_token& cancel) {

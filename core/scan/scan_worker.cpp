@@ -137,7 +137,7 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                    with_review([&](ScanReview& review) { return review.edit(c.edit); });
                  },
                  [&](ShowKeyFrame c) {
-                   with_review([&](ScanReview& review) { return review.showKeyFrame(c.place); });
+                   with_review([&](ScanReview& review) { return review.showKeyFrame(c.index); });
                  },
                  [&](const PreviewExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
                  [&](const SampleExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },

@@ -185,7 +185,7 @@ void OpenSession::completePendingEdits() {
   // A missing catalogue is reported when it is needed.
   if (!isCataloguePending(*this) || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
   if (const Result<void> applied = applyToCatalogue(*this); !applied)
-    damages_.push_back("What was said last is not in the catalogue: " + applied.error().message());
+    damages_.push_back("The last edits are not in the catalogue: " + applied.error().message());
 }
 
 Result<std::vector<RegionSummary>> OpenSession::regions() {
@@ -228,7 +228,7 @@ const SavedFrame* OpenSession::frameOf(const SavedKeyFrame& key_frame) const {
   return found == scan_.frames.end() ? nullptr : &*found;
 }
 
-Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
+Result<OpenSession::SurfacePoint> OpenSession::at(int frame, int x, int y) {
   const SavedFrame* saved = frameAt(frame);
   const std::string called = "Frame " + std::to_string(frame) + " of " + folder_.string();
   if (saved == nullptr)
@@ -252,7 +252,7 @@ Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
         called + " shows no surface of the map at " + std::to_string(x) + "," + std::to_string(y) + ".",
         "Point at something that was scanned.");
   const Eigen::Vector3f seen = K.backProject(static_cast<float>(x), static_cast<float>(y), z);
-  return Place{view->regions[pixel], saved->T_world_camera.cast<float>() * seen};
+  return SurfacePoint{view->regions[pixel], saved->T_world_camera.cast<float>() * seen};
 }
 
 std::optional<Error> OpenSession::takeFailure() { return recorder_->takeFailure(); }

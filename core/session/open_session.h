@@ -65,13 +65,13 @@ class OpenSession {
   [[nodiscard]] Result<std::vector<RegionSummary>> regions();
 
   /// The surface at a pixel of a frame.
-  struct Place {
+  struct SurfacePoint {
     RegionId region;  ///< none: unlabelled surface
     Eigen::Vector3f point_world = Eigen::Vector3f::Zero();
   };
   /// `frame`: index in its source; x, y: of the depth image, as in label images. Error: no such frame, no
   /// pose, pixel outside, or no surface.
-  [[nodiscard]] Result<Place> at(int frame, int x, int y);
+  [[nodiscard]] Result<SurfacePoint> at(int frame, int x, int y);
 
   /// Each operation is written atomically before it returns, with its pending catalogue edits (for
   /// applyToCatalogue). Error: see RegionEditor; or writing failed: then it holds until the program ends.

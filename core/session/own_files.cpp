@@ -95,7 +95,7 @@ Result<bool> claim(DatabaseConnection& database, const fs::path& folder, const s
   std::error_code failure;
   const fs::file_type type = fs::symlink_status(folder / name, failure).type();
   if (type == fs::file_type::none) {
-    return fail("The folder " + folder.string() + " cannot be looked into: " + failure.message() + ".",
+    return fail("The folder " + folder.string() + " cannot be read: " + failure.message() + ".",
                 "Check its permissions.");
   }
   if (type != fs::file_type::not_found) return false;

@@ -24,10 +24,10 @@ RegionLabel labelOf(const RegionNote& note, const RegionObject& object, bool is_
     label.object = object.object;
     label.confirmed = object.confirmed;
     label.is_object = true;
-    const bool is_persons = object.named_by == NamedBy::person && is_of_catalogue;
-    if ((is_persons || note.name.empty()) && !object.name.empty()) {
+    const bool is_user_name = object.named_by == NamedBy::user && is_of_catalogue;
+    if ((is_user_name || note.name.empty()) && !object.name.empty()) {
       label.name = object.name;
-      label.is_named = object.named_by == NamedBy::person;
+      label.is_named = object.named_by == NamedBy::user;
     }
   }
   if (note.background || note.rejected) label.is_object = false;
@@ -57,7 +57,7 @@ std::string rememberedToText(const RememberedObjects& objects) {
     const RegionObject& object = remembered.object;
     json[std::to_string(region.value)] = {{"object", object.object.value},
                                           {"name", object.name},
-                                          {"by_person", object.named_by == NamedBy::person},
+                                          {"by_person", object.named_by == NamedBy::user},
                                           {"confirmed", object.confirmed},
                                           {"deleted", object.state == State::deleted},
                                           {"merged", object.is_merged},
@@ -76,7 +76,7 @@ RememberedObjects rememberedFrom(const std::string& text) {
       RegionObject& object = remembered.object;
       object.object = ObjectId{json.at("object").get<std::uint32_t>()};
       object.name = json.at("name").get<std::string>();
-      object.named_by = json.at("by_person").get<bool>() ? NamedBy::person : NamedBy::program;
+      object.named_by = json.at("by_person").get<bool>() ? NamedBy::user : NamedBy::program;
       object.confirmed = json.at("confirmed").get<bool>();
       object.state = json.at("deleted").get<bool>() ? State::deleted : State::known;
       object.is_merged = json.at("merged").get<bool>();

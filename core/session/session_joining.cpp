@@ -43,7 +43,7 @@ Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a
   if (!catalogue->mayMerge(roots[0], roots[1])) {
     refusals.note(fail("The objects " + catalogue->find(roots[0])->name + " and " +
                            catalogue->find(roots[1])->name +
-                           " stay two in the catalogue, for a person said what each is.",
+                           " stay two in the catalogue, because of a user's earlier edits.",
                        "'scantrove objects merge' makes one of them."));
     return std::nullopt;
   }

@@ -116,7 +116,7 @@ Gaze alongCorridor(double t) {
 
 }  // namespace
 
-SceneRecipe makeCorridorSet() {
+SceneRecipe makeCorridorScene() {
   return {.name = "corridor",
           .scene = makeCorridor(),
           .path = alongCorridor,

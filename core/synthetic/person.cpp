@@ -49,9 +49,9 @@ Vec3 alongWaypoints(const std::vector<Waypoint>& way, double time_s) {
   return last.at + part * part * (3 - 2 * part) * (next->at - last.at);
 }
 
-void addPerson(HashStream& random, SceneRecipe& set, double y, std::vector<Waypoint> way) {
-  SyntheticScene& scene = set.scene;
-  const auto id = scene.addInstance("walker", false, true);
+void addPerson(HashStream& random, SceneRecipe& recipe, double y, std::vector<Waypoint> way) {
+  SyntheticScene& scene = recipe.scene;
+  const auto id = scene.addInstance("person", false, true);
   const Material skin = skinOf(random);
   const Material shirt = clothOf(random);
   const Material trousers = clothOf(random);
@@ -62,7 +62,7 @@ void addPerson(HashStream& random, SceneRecipe& set, double y, std::vector<Waypo
             material, center * tall);
   };
   const auto moves = [&](std::size_t first, double phase, const Vec3& joint) {
-    set.animated_parts.push_back(
+    recipe.animated_parts.push_back(
         {first, scene.parts().size() - first, [way, phase, pivot = joint](double time_s) {
            const Vec3 at = alongWaypoints(way, time_s);
            const double angle = kSwing * std::sin(at.x() / kStride_m * std::numbers::pi + phase);
@@ -72,9 +72,10 @@ void addPerson(HashStream& random, SceneRecipe& set, double y, std::vector<Waypo
   std::size_t first = scene.parts().size();
   add({0.115, 0.20, 0.32}, {0, 0, 1.13}, shirt);
   addPart(scene, id, place, std::make_unique<Sphere>(0.105 * tall), skin, {0, 0, 1.58 * tall});
-  set.animated_parts.push_back({first, 2, [way](double time_s) {
-                                  return Eigen::Isometry3d(Eigen::Translation3d(alongWaypoints(way, time_s)));
-                                }});
+  recipe.animated_parts.push_back({first, 2, [way](double time_s) {
+                                     return Eigen::Isometry3d(
+                                         Eigen::Translation3d(alongWaypoints(way, time_s)));
+                                   }});
   for (const double side : {-1.0, 1.0}) {
     const double phase = side > 0 ? 0 : std::numbers::pi;
     first = scene.parts().size();
@@ -87,8 +88,8 @@ void addPerson(HashStream& random, SceneRecipe& set, double y, std::vector<Waypo
   }
 }
 
-void addArm(HashStream& random, SceneRecipe& set, double from, std::vector<Waypoint> way) {
-  SyntheticScene& scene = set.scene;
+void addArm(HashStream& random, SceneRecipe& recipe, double from, std::vector<Waypoint> way) {
+  SyntheticScene& scene = recipe.scene;
   const auto id = scene.addInstance("arm", false, true);
   const std::size_t first = scene.parts().size();
   addPart(scene, id, {}, std::make_unique<Sphere>(0.045), skinOf(random));
@@ -96,9 +97,10 @@ void addArm(HashStream& random, SceneRecipe& set, double from, std::vector<Waypo
   const Vec3 backwards(from * std::cos(rise), 0, std::sin(rise));
   addPart(scene, id, {}, std::make_unique<RoundedBox>(Vec3(0.6, 0.04, 0.04), 0.035), clothOf(random),
           0.62 * backwards, turned(-from * kArmRise_deg, Vec3::UnitY()));
-  set.animated_parts.push_back({first, 2, [way = std::move(way)](double time_s) {
-                                  return Eigen::Isometry3d(Eigen::Translation3d(alongWaypoints(way, time_s)));
-                                }});
+  recipe.animated_parts.push_back({first, 2, [way = std::move(way)](double time_s) {
+                                     return Eigen::Isometry3d(
+                                         Eigen::Translation3d(alongWaypoints(way, time_s)));
+                                   }});
 }
 
 }  // namespace scantrove::synthetic

@@ -122,7 +122,7 @@ Shell buildRoom(HashStream& random, Layout& layout) {
 
 }  // namespace
 
-SceneRecipe makeRandomRoomSet(std::uint32_t seed) {
+SceneRecipe makeRandomRoomScene(std::uint32_t seed) {
   SceneRecipe best{.name = "room " + std::to_string(seed), .scene = {}, .path = {}, .frames = 300};
   int fewest_bad = 1000;
   for (std::uint32_t room = 0; room < kRooms && fewest_bad > 0; ++room) {
@@ -150,21 +150,22 @@ SceneRecipe makeRandomRoomSet(std::uint32_t seed) {
   return best;
 }
 
-SceneRecipe makeRandomSweepSet(std::uint32_t seed) {
-  SceneRecipe set{.name = "sweep " + std::to_string(seed), .scene = {}, .path = {}, .frames = kSweepFrames};
-  for (std::uint32_t room = 0; !set.path; ++room) {
+SceneRecipe makeRandomSweepScene(std::uint32_t seed) {
+  SceneRecipe recipe{
+      .name = "sweep " + std::to_string(seed), .scene = {}, .path = {}, .frames = kSweepFrames};
+  for (std::uint32_t room = 0; !recipe.path; ++room) {
     HashStream random(seed, 2000 + room);
     Layout layout;
     const Shell shell = buildRoom(random, layout);
-    for (int attempt = 0; attempt < kPathsInRoom && !set.path; ++attempt) {
+    for (int attempt = 0; attempt < kPathsInRoom && !recipe.path; ++attempt) {
       const CameraPath candidate = makeSweep(random, shell, random.uniform(0.8, 1.6));
-      if (passesNear(layout, candidate, kSweepSeconds)) set.path = candidate;
+      if (passesNear(layout, candidate, kSweepSeconds)) recipe.path = candidate;
     }
-    if (set.path) set.scene = std::move(layout.scene);
+    if (recipe.path) recipe.scene = std::move(layout.scene);
   }
-  set.lit_center = {0, 0, 0.4};
-  set.lit_radius_m = 2.6;
-  return set;
+  recipe.lit_center = {0, 0, 0.4};
+  recipe.lit_radius_m = 2.6;
+  return recipe;
 }
 
 }  // namespace scantrove::synthetic

@@ -67,7 +67,7 @@ Stand buildTable(HashStream& random, Layout& layout) {
 
 }  // namespace
 
-SceneRecipe makeRandomTabletopSet(std::uint32_t seed) {
+SceneRecipe makeRandomTabletopScene(std::uint32_t seed) {
   SceneRecipe best{.name = "tabletop " + std::to_string(seed), .scene = {}, .path = {}, .frames = 240};
   int fewest_bad = 1000;
   for (std::uint32_t table = 0; table < kTables && fewest_bad > 0; ++table) {

@@ -99,7 +99,7 @@ SyntheticScene makeRoom() {
 
 }  // namespace
 
-SceneRecipe makeRoomSet() {
+SceneRecipe makeRoomScene() {
   return {.name = "room",
           .scene = makeRoom(),
           .path = throughRoom,

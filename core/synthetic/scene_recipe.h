@@ -32,33 +32,33 @@ struct SceneRecipe {
 
 /// A table with 17 things, 0.8 - 1.1 m away. The camera walks around it; 300 frames cover nearly half the
 /// circle.
-[[nodiscard]] SceneRecipe makeTabletopSet();
+[[nodiscard]] SceneRecipe makeTabletopScene();
 
 /// A room with table, 17 things on it, chair, stool, basket, parcel, shelf; 400 frames. In the first views
 /// the chair splits the floor into separate components. The camera then steps back and around it, and
 /// continues to the table.
-[[nodiscard]] SceneRecipe makeRoomSet();
+[[nodiscard]] SceneRecipe makeRoomScene();
 
 /// A bare painted wall: depth does not determine the camera's position along it. 300 frames back and forth.
-[[nodiscard]] SceneRecipe makeWallSet();
+[[nodiscard]] SceneRecipe makeWallScene();
 
 /// A corridor with doors, pillars, pictures, cupboards and parcels. The camera walks 60 m along it at 0.75
 /// m/s, 2400 frames, so the map is much larger than any view.
-[[nodiscard]] SceneRecipe makeCorridorSet();
+[[nodiscard]] SceneRecipe makeCorridorScene();
 
 /// A random room for every seed: 2 - 4 walls with furniture, doors, curtains, pillars and rugs. Clutter lies
 /// on the floor, on tables and in shelves, stacked, leaning and touching. 300 frames along the walls.
-[[nodiscard]] SceneRecipe makeRandomRoomSet(std::uint32_t seed);
+[[nodiscard]] SceneRecipe makeRandomRoomScene(std::uint32_t seed);
 
 /// Such a room, with the camera passing furniture as near as 20 cm at a hand's speed. Much of the view is
 /// new, and some is too near for a reading. 400 frames. The hard case of tracking.
-[[nodiscard]] SceneRecipe makeRandomSweepSet(std::uint32_t seed);
+[[nodiscard]] SceneRecipe makeRandomSweepScene(std::uint32_t seed);
 
 /// A room in which a person walks past, a hand moves the mug ("mug") on the table, and the chair ("chair") is
 /// pushed away. 420 frames; each seed gives another room and other motions.
-[[nodiscard]] SceneRecipe makeRandomMovingSet(std::uint32_t seed);
+[[nodiscard]] SceneRecipe makeRandomMovingScene(std::uint32_t seed);
 
 /// A random table with things of 5 - 40 cm for every seed; 240 frames around it.
-[[nodiscard]] SceneRecipe makeRandomTabletopSet(std::uint32_t seed);
+[[nodiscard]] SceneRecipe makeRandomTabletopScene(std::uint32_t seed);
 
 }  // namespace scantrove::synthetic

@@ -22,16 +22,16 @@ constexpr double kColorNoise = 1.8;  // grey levels
 
 struct Demo {
   const char* name;
-  synthetic::SceneRecipe (*set)();
-  synthetic::SceneRecipe (*random_set)(std::uint32_t seed);
+  synthetic::SceneRecipe (*recipe)();
+  synthetic::SceneRecipe (*random_recipe)(std::uint32_t seed);
 };
 constexpr Demo kDemos[] = {
-    {"tabletop", synthetic::makeTabletopSet, synthetic::makeRandomTabletopSet},
-    {"room", synthetic::makeRoomSet, synthetic::makeRandomRoomSet},
-    {"sweep", [] { return synthetic::makeRandomSweepSet(1); }, synthetic::makeRandomSweepSet},
-    {"wall", synthetic::makeWallSet, nullptr},
-    {"corridor", synthetic::makeCorridorSet, nullptr},
-    {"moving", [] { return synthetic::makeRandomMovingSet(1); }, synthetic::makeRandomMovingSet}};
+    {"tabletop", synthetic::makeTabletopScene, synthetic::makeRandomTabletopScene},
+    {"room", synthetic::makeRoomScene, synthetic::makeRandomRoomScene},
+    {"sweep", [] { return synthetic::makeRandomSweepScene(1); }, synthetic::makeRandomSweepScene},
+    {"wall", synthetic::makeWallScene, nullptr},
+    {"corridor", synthetic::makeCorridorScene, nullptr},
+    {"moving", [] { return synthetic::makeRandomMovingScene(1); }, synthetic::makeRandomMovingScene}};
 
 /// Metres to 16-bit units; 0 for no reading or overflow.
 cv::Mat toUnits(const cv::Mat& z_m, float meters_per_unit) {
@@ -49,20 +49,23 @@ cv::Mat toUnits(const cv::Mat& z_m, float meters_per_unit) {
 
 class RenderedSource final : public SyntheticSource {
  public:
-  RenderedSource(const SyntheticOptions& options, synthetic::SceneRecipe set)
-      : options_(options), set_(std::move(set)), trajectory_(set_.path, options.tremor, options.seed) {
-    info_.name = set_.name;
+  RenderedSource(const SyntheticOptions& options, synthetic::SceneRecipe recipe)
+      : options_(options),
+        recipe_(std::move(recipe)),
+        trajectory_(recipe_.path, options.tremor, options.seed) {
+    info_.name = recipe_.name;
     info_.kind = "synthetic";
     info_.intrinsics = options.K;
     info_.frame_count = (options.frames - options.start + options.stride - 1) / options.stride;
     info_.has_poses = true;
-    info_.instances = set_.scene.instances();
-    for (const SyntheticScene::Part& part : set_.scene.parts()) T_world_rest_.push_back(part.T_world_part);
-    for (InstanceName& who : info_.instances) who.extent_m = set_.scene.boundsOf(who.id).sizes().maxCoeff();
+    info_.instances = recipe_.scene.instances();
+    for (const SyntheticScene::Part& part : recipe_.scene.parts()) T_world_rest_.push_back(part.T_world_part);
+    for (InstanceName& who : info_.instances)
+      who.extent_m = recipe_.scene.boundsOf(who.id).sizes().maxCoeff();
   }
 
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
-  [[nodiscard]] const SyntheticScene& scene() const override { return set_.scene; }
+  [[nodiscard]] const SyntheticScene& scene() const override { return recipe_.scene; }
   [[nodiscard]] Eigen::Isometry3d pose(int index) const override {
     return trajectory_.pose(index / kFramesPerSecond);
   }
@@ -74,7 +77,8 @@ class RenderedSource final : public SyntheticSource {
     }
     const int index = options_.start + given_++ * options_.stride;
     if (options_.color && !lighting_) {
-      lighting_ = std::make_unique<synthetic::Lighting>(set_.scene, set_.lit_center, set_.lit_radius_m);
+      lighting_ =
+          std::make_unique<synthetic::Lighting>(recipe_.scene, recipe_.lit_center, recipe_.lit_radius_m);
     }
     moveTo(index / kFramesPerSecond);
     RgbdFrame& frame = read.frame;
@@ -84,12 +88,13 @@ class RenderedSource final : public SyntheticSource {
     frame.T_world_camera = pose(index);
     const bool is_registered = !options_.color_camera;
     synthetic::RenderedFrame image = synthetic::renderFrame(
-        set_.scene, is_registered ? lighting_.get() : nullptr, options_.K, *frame.T_world_camera);
+        recipe_.scene, is_registered ? lighting_.get() : nullptr, options_.K, *frame.T_world_camera);
     if (options_.color && !is_registered) {
       const Eigen::Isometry3d T_world_color =
           *frame.T_world_camera * options_.color_camera->T_color_depth.inverse();
       image.color =
-          synthetic::renderFrame(set_.scene, lighting_.get(), options_.color_camera->K, T_world_color).color;
+          synthetic::renderFrame(recipe_.scene, lighting_.get(), options_.color_camera->K, T_world_color)
+              .color;
       frame.color_camera = options_.color_camera;
     }
     const auto number = static_cast<std::uint32_t>(index);
@@ -106,15 +111,15 @@ class RenderedSource final : public SyntheticSource {
 
  private:
   void moveTo(double time_s) {
-    for (const synthetic::AnimatedPart& animated : set_.animated_parts) {
+    for (const synthetic::AnimatedPart& animated : recipe_.animated_parts) {
       const Eigen::Isometry3d motion = animated.motion(time_s);
       for (std::size_t part = animated.first_part; part < animated.first_part + animated.part_count; ++part)
-        set_.scene.setPose(part, motion * T_world_rest_[part]);
+        recipe_.scene.setPose(part, motion * T_world_rest_[part]);
     }
   }
 
   SyntheticOptions options_;
-  synthetic::SceneRecipe set_;
+  synthetic::SceneRecipe recipe_;
   std::vector<Eigen::Isometry3d> T_world_rest_;  // initial poses of the parts
   synthetic::Trajectory trajectory_;
   std::unique_ptr<synthetic::Lighting> lighting_;  // baked at the first colour image
@@ -137,8 +142,10 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
     } else {
       const char* end = mode.data() + mode.size();
       const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
-      if (failure != std::errc{} || stop != end || demo.random_set == nullptr) return false;
-      options.set = [random_set = demo.random_set, seed = options.seed] { return random_set(seed); };
+      if (failure != std::errc{} || stop != end || demo.random_recipe == nullptr) return false;
+      options.recipe = [random_recipe = demo.random_recipe, seed = options.seed] {
+        return random_recipe(seed);
+      };
     }
   }
   return true;
@@ -148,11 +155,11 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
 
 Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& given) {
   SyntheticOptions options = given;
-  synthetic::SceneRecipe set = options.set();
-  if (options.bumpy) set.scene = synthetic::makeBumpy(std::move(set.scene), options.seed);
-  if (options.low_contrast) set.scene = synthetic::makeLowContrast(std::move(set.scene), options.seed);
+  synthetic::SceneRecipe recipe = options.recipe();
+  if (options.bumpy) recipe.scene = synthetic::makeBumpy(std::move(recipe.scene), options.seed);
+  if (options.low_contrast) recipe.scene = synthetic::makeLowContrast(std::move(recipe.scene), options.seed);
   if (options.frames <= 0) {
-    options.frames = set.frames;
+    options.frames = recipe.frames;
   }
   if (options.at_most && options.stride >= 1 &&
       *options.at_most < (options.frames - options.start) / options.stride) {
@@ -160,20 +167,20 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOpti
   }
   const Intrinsics& K = options.K;
   if (!(K.fx > 0 && K.fy > 0) || K.width <= 0 || K.height <= 0) {
-    return fail(fmt::format("The demo cannot be filmed with fx {} fy {} at {} x {} pixels.", K.fx, K.fy,
+    return fail(fmt::format("The demo cannot be rendered with fx {} fy {} at {} x {} pixels.", K.fx, K.fy,
                             K.width, K.height),
                 "Give positive focal lengths in pixels.");
   }
   if (options.start < 0 || options.stride < 1 || options.start >= options.frames) {
     return fail(fmt::format("The demo '{}' has {} frames; none is left from frame {} in steps of {}.",
-                            set.name, options.frames, options.start, options.stride),
+                            recipe.name, options.frames, options.start, options.stride),
                 "Start earlier, with a step of 1 or more.");
   }
   if (!(options.meters_per_unit > 0)) {
     return fail(fmt::format("A depth unit of {} m is none.", options.meters_per_unit),
                 "Give a positive depth scale.");
   }
-  return std::make_unique<RenderedSource>(options, std::move(set));
+  return std::make_unique<RenderedSource>(options, std::move(recipe));
 }
 
 Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
@@ -185,7 +192,7 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
   const auto* demo =
       std::find_if(std::begin(kDemos), std::end(kDemos), [&](const Demo& d) { return name == d.name; });
   if (demo != std::end(kDemos)) {
-    options.set = demo->set;
+    options.recipe = demo->recipe;
   }
   if (demo == std::end(kDemos) || !applyModes(options, *demo, modes)) {
     return fail(

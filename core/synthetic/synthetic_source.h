@@ -13,8 +13,8 @@ namespace scantrove {
 
 /// Parameters of a synthetic recording. World frame: metres, z up, floor at z = 0.
 struct SyntheticOptions {
-  std::function<synthetic::SceneRecipe()> set =
-      synthetic::makeTabletopSet;  ///< makes the scene and its camera path
+  std::function<synthetic::SceneRecipe()> recipe =
+      synthetic::makeTabletopScene;  ///< makes the scene and its camera path
   Intrinsics K{525.0F, 525.0F, 319.5F, 239.5F, 640, 480};
   std::optional<ColorCamera> color_camera;  ///< none: colour is registered and has the depth images' size
   int frames = 0;  ///< length of the recording; 0 = the scene's default; the camera path itself is endless
@@ -26,7 +26,7 @@ struct SyntheticOptions {
   bool low_contrast = false;  ///< walls, furniture and things share three tints
   bool color = true;          ///< false: no colour images (a good third faster)
   bool tremor = true;         ///< tremor of a hand
-  std::uint32_t seed = 1;     ///< of noise, tremor, bumps and tints; `set` has its own seed
+  std::uint32_t seed = 1;     ///< of noise, tremor, bumps and tints; `recipe` has its own seed
   float meters_per_unit = 0.001F;
 };
 

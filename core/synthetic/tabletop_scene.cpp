@@ -69,7 +69,7 @@ SyntheticScene makeTabletop() {
 
 }  // namespace
 
-SceneRecipe makeTabletopSet() {
+SceneRecipe makeTabletopScene() {
   return {.name = "tabletop",
           .scene = makeTabletop(),
           .path = aroundTable,

@@ -42,7 +42,7 @@ Gaze alongWall(double t) {
 
 }  // namespace
 
-SceneRecipe makeWallSet() {
+SceneRecipe makeWallScene() {
   return {.name = "wall",
           .scene = makeWall(),
           .path = alongWall,

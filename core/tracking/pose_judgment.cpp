@@ -46,14 +46,14 @@ constexpr double kFar_m = 0.08;
 const Evidence& requiredEvidence(PoseOrigin origin, bool on_little, double angle_rad, double distance_m) {
   if (origin == PoseOrigin::search) return kAfterSearch;
   if (origin == PoseOrigin::landmarks) return kAtLandmarks;
-  if (origin == PoseOrigin::place) return kAtKeyFrame;
+  if (origin == PoseOrigin::key_frame) return kAtKeyFrame;
   if (on_little) return kOnLittle;
   return angle_rad > kFar_rad || distance_m > kFar_m ? kAfterFarMotion : kAfterSmallMotion;
 }
 
 /// Pixels that meet known surface, without those that may show something new.
 double overlapOf(const IcpSystem& system, PoseOrigin origin) {
-  if (origin == PoseOrigin::search || origin == PoseOrigin::place) return system.overlap;
+  if (origin == PoseOrigin::search || origin == PoseOrigin::key_frame) return system.overlap;
   return system.overlap - std::max(0.0, system.before - kBeforePerBehind * system.behind);
 }
 
@@ -95,7 +95,7 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   const Eigen::Isometry3d motion = begin.inverse() * outcome.T_world_camera;
   const double angle_rad = Eigen::AngleAxisd(motion.linear()).angle();
   const double distance_m = motion.translation().norm();
-  const bool by_landmarks = origin == PoseOrigin::landmarks || origin == PoseOrigin::place;
+  const bool by_landmarks = origin == PoseOrigin::landmarks || origin == PoseOrigin::key_frame;
   const Evidence& requested = requiredEvidence(origin, on_little, angle_rad, distance_m);
   const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px
                                          : angle_rad < kReach_rad && distance_m < kReach_m;

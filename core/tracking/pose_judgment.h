@@ -18,7 +18,7 @@ enum class PoseOrigin {
   prediction,  ///< the camera's last motion
   search,      ///< the best of many guesses
   landmarks,   ///< landmarks or corners, for a camera that is followed
-  place        ///< landmarks of a key frame, for a lost camera; a similar place may be mistaken for it
+  key_frame    ///< landmarks of a key frame, for a lost camera; a similar place may be mistaken for it
 };
 
 /// Decides whether the pose may be trusted, and computes its figures. `begin`: where ICP began (for a

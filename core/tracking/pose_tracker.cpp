@@ -185,7 +185,7 @@ PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& 
   const bool is_in_view = isInView(search.model, guess);
   if (!is_in_view) view_model_(guess, verified_);
   const PoseOrigin origin = landmarks == nullptr ? PoseOrigin::search
-                            : is_lost_           ? PoseOrigin::place
+                            : is_lost_           ? PoseOrigin::key_frame
                                                  : PoseOrigin::landmarks;
   return judge(
       aligner_->align(search.depth, is_in_view ? search.model : verified_, std::span(&guess, 1), landmarks),
@@ -253,7 +253,7 @@ bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
 
 bool PoseTracker::replayPose(const Eigen::Isometry3d& T_world_camera) {
   const KeyFrames& key_frames = locator_.keyFrames();
-  seen_.markLeftExceptNear(T_world_camera);
+  seen_.markRevisitable(T_world_camera);
   return key_frames.isDue(T_world_camera);
 }
 

@@ -21,9 +21,10 @@ bool SeenSurfaces::isDue(const Eigen::Isometry3d& T_world_camera) const {
   });
 }
 
-void SeenSurfaces::markLeftExceptNear(const Eigen::Isometry3d& T_world_camera) {
+void SeenSurfaces::markRevisitable(const Eigen::Isometry3d& T_world_camera) {
   for (View& view : views_) {
-    if (!view.is_left) view.is_left = viewDistance(view.T_world_camera, T_world_camera, kAway) > 1;
+    if (!view.is_revisitable)
+      view.is_revisitable = viewDistance(view.T_world_camera, T_world_camera, kAway) > 1;
   }
 }
 
@@ -31,7 +32,7 @@ const SeenSurfaces::View* SeenSurfaces::nearestSeenAgain(const Eigen::Isometry3d
   const View* best = nullptr;
   double least = 1;
   for (const View& view : views_) {
-    if (!view.is_left) continue;
+    if (!view.is_revisitable) continue;
     const double distance = viewDistance(view.T_world_camera, T_world_camera, kHandsWidth);
     if (distance >= least) continue;
     least = distance;

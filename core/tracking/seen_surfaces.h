@@ -14,7 +14,7 @@ class SeenSurfaces {
   struct View {
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
     StoredSurface surface;
-    bool is_left = false;  ///< the camera has left this place since
+    bool is_revisitable = false;  ///< the camera has been far away since
   };
 
   SeenSurfaces() = default;
@@ -26,11 +26,11 @@ class SeenSurfaces {
   void add(const Eigen::Isometry3d& T_world_camera, StoredSurface surface) {
     views_.push_back({T_world_camera, std::move(surface)});
   }
-  /// Marks the views that are far from the present pose as left.
-  void markLeftExceptNear(const Eigen::Isometry3d& T_world_camera);
+  /// Marks the views far from the present pose as revisitable.
+  void markRevisitable(const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] const std::deque<View>& all() const { return views_; }
 
-  /// The nearest view that was left and is seen again, or null.
+  /// The nearest revisitable view that is seen again, or null.
   [[nodiscard]] const View* nearestSeenAgain(const Eigen::Isometry3d& T_world_camera) const;
 
  private:

@@ -80,7 +80,7 @@ std::optional<double> timeOfLighting(MainWindow& window, QWidget& view, QWidget&
   return std::nullopt;
 }
 
-void say(const char* what, std::vector<double> ms) {
+void print(const char* what, std::vector<double> ms) {
   if (ms.empty()) return;
   std::sort(ms.begin(), ms.end());
   std::cout << what << ": " << ms.size() << " times, median " << ms[ms.size() / 2] << " ms, p95 "
@@ -156,7 +156,7 @@ struct Picked {
 };
 
 /// Counts the points in a region that is mostly of their instance, and lists the instances of the others.
-void sayRight(const char* where, const std::vector<Picked>& picked, const Truth& truth) {
+void printRight(const char* where, const std::vector<Picked>& picked, const Truth& truth) {
   std::map<RegionId, std::map<int, int>> of_region;
   for (const Picked& one : picked) ++of_region[one.region][one.instance];
   int right = 0, off_border = 0, right_off_border = 0;
@@ -233,8 +233,8 @@ void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int pl
     });
     in_scenes.push_back({at.region, *instance, at_border});
   }
-  sayRight("in the pictures", in_frames, *truth);
-  sayRight("in 3D", in_scenes, *truth);
+  printRight("in the pictures", in_frames, *truth);
+  printRight("in 3D", in_scenes, *truth);
   std::cout << other << " places in 3D near nothing\n";
 }
 
@@ -279,8 +279,8 @@ int run(const std::string& source, int moves, int places, bool still) {
     QCoreApplication::postEvent(color, new QEvent(QEvent::Leave));
     wait(60);
   }
-  say("3D view", in_scene);
-  say("colour", in_picture);
+  print("3D view", in_scene);
+  print("colour", in_picture);
   while (!is_open) wait(100);
   wait(2000);
   comparePlaces(window, truthOf(source, frame_index), places);

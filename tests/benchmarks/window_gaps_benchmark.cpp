@@ -88,7 +88,7 @@ class GapWatch {
     }
     note(since_tick_, tick_gaps_);  // the gap that is still open
     timer_.stop();
-    say(what, static_cast<double>(all.elapsed()) / 1000);
+    print(what, static_cast<double>(all.elapsed()) / 1000);
     return is_done;
   }
 
@@ -98,7 +98,7 @@ class GapWatch {
     since.start();
   }
 
-  void say(const std::string& what, double seconds) {
+  void print(const std::string& what, double seconds) {
     std::ranges::sort(tick_gaps_);
     std::ranges::sort(drawn_gaps_);
     const auto over = std::ranges::count_if(tick_gaps_, [](double gap) { return gap > kGap_ms; });

@@ -18,8 +18,8 @@ explains() {
   shift
   run "$@"
   if ! ended_by_itself || [ "$code" -gt 2 ]; then note_fail "$name" "ended with code $code"; return; fi
-  if [ "$code" -ne 0 ] && ! grep -qE '[a-z]{3,} .*[a-z]{3,}' "$work.said"; then note_fail "$name" "prints no message"; return; fi
-  if grep -qE 'terminate called|std::|Segmentation|Aborted' "$work.said"; then note_fail "$name" "prints internals of the code"; return; fi
+  if [ "$code" -ne 0 ] && ! grep -qE '[a-z]{3,} .*[a-z]{3,}' "$work.output"; then note_fail "$name" "prints no message"; return; fi
+  if grep -qE 'terminate called|std::|Segmentation|Aborted' "$work.output"; then note_fail "$name" "prints internals of the code"; return; fi
   note_pass
 }
 

@@ -8,7 +8,7 @@ disturbed() {
   shift
   rm -rf "${work:?}/$out"
   (cd "$work" && exec timeout --kill-after=5 "$limit_s" "$program" scan demo --frames 60 --out "$out") \
-    >"$work.said" 2>&1 </dev/null &
+    >"$work.output" 2>&1 </dev/null &
   local scan=$!
   until [ -s "$work/$out/map/000001.bricks" ] || ! kill -0 "$scan" 2>/dev/null; do sleep 0.1; done
   (cd "$work" && "$@") >/dev/null 2>&1
@@ -16,36 +16,36 @@ disturbed() {
   code=$?
 }
 
-# tells NAME TEXT: the disturbed scan ended with exit code 1 and a message with TEXT.
-tells() {
-  if [ "$code" -eq 1 ] && said "$2"; then note_pass; else note_fail "$1" "exit code $code, or no \"$2\""; fi
+# reports NAME TEXT: the disturbed scan ended with exit code 1 and a message with TEXT.
+reports() {
+  if [ "$code" -eq 1 ] && is_printed "$2"; then note_pass; else note_fail "$1" "exit code $code, or no \"$2\""; fi
 }
 
 disturbed gone rm gone/session.sqlite
-tells "a removed database" "written anew"
-says "a removed database is written anew" '"tracked": 60' "$program" session show gone --json
+reports "a removed database" "written anew"
+prints "a removed database is written anew" '"tracked": 60' "$program" session show gone --json
 
 disturbed log rm log/session.sqlite-wal
-tells "a removed log" "written anew"
-says "the session of a removed log opens" '"tracked": 60' "$program" session show log --json
+reports "a removed log" "written anew"
+prints "the session of a removed log opens" '"tracked": 60' "$program" session show log --json
 
 disturbed map rm -r map/map
-tells "a removed map" "written anew"
-says "the session of a removed map opens" '"damages": []' "$program" session show map --json
+reports "a removed map" "written anew"
+prints "the session of a removed map opens" '"damages": []' "$program" session show map --json
 
 disturbed folder rm -r folder
-tells "a removed folder" "written anew"
-says "the session of a removed folder opens" '"tracked": 60' "$program" session show folder --json
+reports "a removed folder" "written anew"
+prints "the session of a removed folder opens" '"tracked": 60' "$program" session show folder --json
 
 disturbed taken bash -c 'rm taken/session.sqlite; echo mine >taken/session.sqlite'
-tells "a replaced database" "session.rescued.sqlite"
+reports "a replaced database" "session.rescued.sqlite"
 holds "somebody's file in its place stays" grep -q mine "$work/taken/session.sqlite"
 mv "$work/taken/session.rescued.sqlite" "$work/taken/session.sqlite"
-says "the rescued session opens" '"tracked": 60' "$program" session show taken --json
+prints "the rescued session opens" '"tracked": 60' "$program" session show taken --json
 
 disturbed from mv from to
-tells "a moved folder" "moved to"
-says "the session of a moved folder opens" '"ended": true' "$program" session show to --json
+reports "a moved folder" "moved to"
+prints "the session of a moved folder opens" '"ended": true' "$program" session show to --json
 
 # Files that were replaced are skipped and named.
 succeeds "a scan" "$program" scan demo --frames 12 --out scan
@@ -53,11 +53,11 @@ copy() { rm -rf "$work/copy" && cp -r "$work/scan" "$work/copy"; }
 change() { copy && python3 -c "import sqlite3, sys; b = sqlite3.connect('$work/copy/session.sqlite'); b.execute(sys.argv[1]); b.commit()" "$1"; }
 if command -v python3 >/dev/null; then
   change "UPDATE frames SET tx = tx + 0.1 WHERE number = 5"
-  says "a moved pose" "1 frames of the session" "$program" export copy --format tum --out moved
+  prints "a moved pose" "1 frames of the session" "$program" export copy --format tum --out moved
   change "DELETE FROM pages WHERE x = (SELECT min(x) FROM pages)"
-  says "a missing page" "parts of the map of the session" "$program" session show copy
+  prints "a missing page" "parts of the map of the session" "$program" session show copy
   change "UPDATE facts SET value = 'attic' WHERE name = 'source'"
-  says "a changed fact" '"source": "demo"' "$program" session show copy --json
+  prints "a changed source" '"source": "demo"' "$program" session show copy --json
   echo "200 random changes take long: tests/hostile/mutate_sessions.py $program --count 200"
 else
   echo "python3 is missing: no rows were changed"
@@ -67,7 +67,7 @@ image=$(cd "$work/copy" && ls keyframes/*.depth.png | head -n 1)
 other=$(cd "$work/copy" && ls keyframes/*.color.* | head -n 1)
 cp "$work/copy/$other" "$work/copy/$image"
 run "$program" export copy --format coco --out coco
-if said "$(basename "$image")"; then note_pass; else note_fail "another image in a key frame's place" "not named"; fi
+if is_printed "$(basename "$image")"; then note_pass; else note_fail "another image in a key frame's place" "not named"; fi
 
 # Nothing is written through symbolic links.
 copy
@@ -93,6 +93,6 @@ copy
 echo mine >"$work/copy/keyframes/000123.color.png"
 succeeds "a scan over an earlier one" "$program" scan demo --frames 3 --out copy
 holds "a file that the session does not name stays" grep -q mine "$work/copy/keyframes/000123.color.png"
-says "and the new scan is there" '"tracked": 3' "$program" session show copy --json
+prints "and the new scan is there" '"tracked": 3' "$program" session show copy --json
 
 finish

@@ -10,7 +10,7 @@ block() { ask "$1" "CREATE INDEX obstacle ON $2 (CASE WHEN $3 THEN json('none') 
 unblock() { ask "$1" "DROP INDEX obstacle"; }
 objects() { ask catalogue "SELECT count(*) FROM objects"; }
 called() { ask catalogue "SELECT count(*) FROM objects WHERE hidden = 0 AND name = '$1'"; }
-is() { [ "$1" = "$2" ] || { echo "$1 is not $2" >>"$work.said"; false; }; }
+is() { [ "$1" = "$2" ] || { echo "$1 is not $2" >>"$work.output"; false; }; }
 # The largest region without an object.
 free_region() {
   "$program" session regions "$work/scan" --json | python3 -c '
@@ -29,7 +29,7 @@ for action in session-begin add add-view session-end rename confirm; do
   newest=$(ask catalogue "SELECT max(id) FROM events")
   block catalogue events "action = '$action' AND id > $newest"
   for try in 1 2 3; do
-    says "naming says that the catalogue fails ($action)" "not its catalogue" \
+    prints "naming says that the catalogue fails ($action)" "not its catalogue" \
       "$program" session name scan --region "$region" --name cup
   done
   unblock catalogue
@@ -69,6 +69,6 @@ PYTHON
 holds "files number regions as the session" numbers
 holds "the cloud says of when it is" grep -qa "as the scan ended" scan/cloud.ply
 succeeds "an edit" "$program" session background scan "$region"
-says "files from before an edit are told" "older than the last edits" "$program" session show scan
+prints "files from before an edit are told" "older than the last edits" "$program" session show scan
 
 finish

@@ -17,7 +17,7 @@ refuses "a mistyped source" "nothing" "$program" scan nothing --out scan
 succeeds "a recording" "$program" record demo --frames 3 --out rec
 refuses "a depth scale that leaves no depth" "" "$program" scan rec --depth-scale 10000000 --out scan
 holds "refused scans leave the earlier one" same
-says "the earlier scan opens" '"tracked": 3' "$program" session show scan --json
+prints "the earlier scan opens" '"tracked": 3' "$program" session show scan --json
 
 echo mine >"$work/scan/keyframes/holiday.jpg"
 refuses "pictures of others among the key frames" "holiday.jpg" "$program" scan demo --frames 3 --out scan

@@ -6,21 +6,21 @@ mkdir "$TMPDIR"
 two_frames=(scan demo --frames 2 --overwrite)
 
 # Compiled kernels: without a cache folder, and damaged ones.
-says "HOME that cannot be written" "compiled anew" env -u XDG_CACHE_HOME HOME=/proc "$program" devices
-says "HOME that cannot be written leaves the processor" "[0]" env -u XDG_CACHE_HOME HOME=/proc "$program" devices
-says "a cache folder that cannot be written" "compiled anew" env XDG_CACHE_HOME=/proc "$program" devices
-says "an empty POCL_CACHE_DIR" "[0]" env POCL_CACHE_DIR= "$program" devices
-says "a device that PoCL lacks" "POCL_DEVICES" env POCL_DEVICES=nonsense "$program" devices
+prints "HOME that cannot be written" "compiled anew" env -u XDG_CACHE_HOME HOME=/proc "$program" devices
+prints "HOME that cannot be written leaves the processor" "[0]" env -u XDG_CACHE_HOME HOME=/proc "$program" devices
+prints "a cache folder that cannot be written" "compiled anew" env XDG_CACHE_HOME=/proc "$program" devices
+prints "an empty POCL_CACHE_DIR" "[0]" env POCL_CACHE_DIR= "$program" devices
+prints "a device that PoCL lacks" "POCL_DEVICES" env POCL_DEVICES=nonsense "$program" devices
 succeeds "a scan" "$program" "${two_frames[@]}" --out kernels
 kernels=$XDG_CACHE_HOME/scantrove/kernels
 holds "compiled kernels are kept" test -d "$kernels"
 cp -r "$kernels" "$work/given"
 find "$kernels" -name '*.so' -exec truncate -s 0 {} +
-says "empty kernels" "damaged" "$program" "${two_frames[@]}" --out kernels
+prints "empty kernels" "damaged" "$program" "${two_frames[@]}" --out kernels
 find "$kernels" -name '*.bc' -exec dd if=/dev/zero of={} bs=1 seek=5000 count=3000 conv=notrunc status=none \;
-says "kernels with zeros" "damaged" "$program" "${two_frames[@]}" --out kernels
+prints "kernels with zeros" "damaged" "$program" "${two_frames[@]}" --out kernels
 find "$work/given" -name '*.bc' -exec sh -c 'echo garbage >"$1"' - {} \;
-says "garbage in a folder of others" "Remove that folder" \
+prints "garbage in a folder of others" "Remove that folder" \
   env POCL_CACHE_DIR="$work/given" "$program" "${two_frames[@]}" --out kernels
 holds "files of others stay" sh -c 'grep -rqx garbage given'
 holds "nothing is left in TMPDIR" sh -c '! ls tmp | grep -q kernels'
@@ -30,11 +30,11 @@ holds "nothing is left in TMPDIR" sh -c '! ls tmp | grep -q kernels'
 stops() {
   local name=$1 pattern=$2 child begun took_ms watchdog
   shift 2
-  : >"$work.said"
-  (cd "$work" && exec "$@") >"$work.said" 2>&1 </dev/null &
+  : >"$work.output"
+  (cd "$work" && exec "$@") >"$work.output" 2>&1 </dev/null &
   child=$!
   for _ in $(seq 1200); do
-    grep -q -- "$pattern" "$work.said" && break
+    grep -q -- "$pattern" "$work.output" && break
     kill -0 "$child" 2>/dev/null || break
     sleep 0.1
   done
@@ -53,7 +53,7 @@ scan_on=(scan demo --overwrite)
 stops "a scan before its first frame" "." env POCL_CACHE_DIR="$work/cold" "$program" "${scan_on[@]}" --out stopped
 stops "a scan after some frames" "frames (" "$program" "${scan_on[@]}" --out stopped
 holds "its results are written" test -s stopped/cloud.ply
-says "its session opens" '"tracked"' "$program" session show stopped --json
+prints "its session opens" '"tracked"' "$program" session show stopped --json
 stops "a bench" "frames" "$program" bench demo
 stops "an export" "%" "$program" export stopped --format coco --out stopped-coco
 stops "a recording" "frames" "$program" record demo --out stopped-recording
@@ -86,14 +86,14 @@ refuses "going on without a map" "has no map" "$program" scan demo --frames 2 --
 refuses "a limit to the size of files" "" bash -c "ulimit -f 1000; exec \"$program\" scan demo --frames 3 --out limited"
 printf 'not a database' >"$work/nomap/session.sqlite"
 run "$program" session show nomap
-cp "$work.said" "$work/printed"
+cp "$work.output" "$work/printed"
 holds "a damaged scan is no catalogue" sh -c 'test -s printed && ! grep -qi catalogue printed'
 
 # Folder names with control sequences of a terminal.
 mkdir "$work/names"
 cp -r "$work/kernels" "$work/names/$(printf 'a\033[31mb\nc')"
 run "$program" session list names
-cp "$work.said" "$work/printed"
+cp "$work.output" "$work/printed"
 holds "names are printed without control characters" sh -c 'grep -q 31mb printed && ! grep -q "$(printf "\033")" printed'
 
 finish

@@ -14,17 +14,17 @@ succeeds "a scan" "$program" scan demo --frames 20 --out scan
 succeeds "a scan of something else" "$program" scan demo:room:3 --frames 20 --out other
 region=$(largest)
 succeeds "naming" "$program" session name scan --region "$region" --name mug
-says "the name is in the list" '"mug"' "$program" session regions scan --json
+prints "the name is in the list" '"mug"' "$program" session regions scan --json
 
 succeeds "renaming in the catalogue" "$program" objects rename mug "red mug" --database scan/catalogue.sqlite
 succeeds "a data set" "$program" export scan --format masks --out renamed
 holds "it has the new name" grep -q '"red mug"' "$work/renamed/labels.json"
 
 mkdir "$work/own" && mv "$work"/scan/catalogue.sqlite* "$work/own/"
-says "without the catalogue" "what the session kept" "$program" export scan --format masks --out alone
+prints "without the catalogue" "what the session kept" "$program" export scan --format masks --out alone
 cp "$work"/other/catalogue.sqlite* "$work/scan/"
 list other/catalogue.sqlite >"$work/before.json"
-says "undo beside a foreign catalogue" "is another one than" "$program" session undo scan
+prints "undo beside a foreign catalogue" "is another one than" "$program" session undo scan
 list scan/catalogue.sqlite >"$work/after.json"
 holds "the foreign catalogue is as before" cmp -s "$work/before.json" "$work/after.json"
 succeeds "redo beside it" "$program" session redo scan

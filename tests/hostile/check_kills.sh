@@ -14,7 +14,7 @@ mkdir "$work/data" && echo mine >"$work/data/photo"
 killed_after() {
   local ms=$1
   shift
-  (cd "$work" && exec "$@" >"$work.said" 2>&1) &
+  (cd "$work" && exec "$@" >"$work.output" 2>&1) &
   local child=$!
   sleep "$((ms / 1000)).$(printf %03d $((ms % 1000)))"
   kill -9 "$child" 2>/dev/null

@@ -20,24 +20,24 @@ succeeds "a scan with label images" "$program" scan demo --frames 8 --label-maps
 succeeds "a second recording" "$program" scan demo --frames 6 --label-maps --resume scan
 holds "times of both recordings rise" rises scan/trajectory.txt
 holds "label images of both are kept" files scan/labels 14
-says "the session knows the second one's numbers" '"index_shift": 8' "$program" session show scan --json
+prints "the session knows the second one's numbers" '"index_shift": 8' "$program" session show scan --json
 
 succeeds "a recording" "$program" record demo --frames 4 --out rec
 moved far 5600000 0
 succeeds "poses 5,600 km from the origin" "$program" scan far --poses given --out far.scan
 holds "such a scan has a cloud" points far.scan/cloud.ply
 holds "its trajectory is where the recording is" grep -q '^0.000000 5599999\|^0.000000 5.599999\|^0.000000 5.6e' far.scan/trajectory.txt
-says "its frames are all tracked" '4 tracked' "$program" session show far.scan
+prints "its frames are all tracked" '4 tracked' "$program" session show far.scan
 moved nowhere 1000000000000 0
 refuses "poses where no camera is" "where no camera is" "$program" scan nowhere --poses given --out nowhere.scan
 moved jump 3000 3
-says "a pose that jumps" "jumps by 3 km" "$program" scan jump --poses given --out jump.scan
+prints "a pose that jumps" "jumps by 3 km" "$program" scan jump --poses given --out jump.scan
 
 succeeds "a longer recording" "$program" record demo --frames 45 --out late
 succeeds "a frame of another place" "$program" record demo:room:3 --frames 1 --out other
 cp "$work/other/frame-000000.color.png" "$work/other/frame-000000.depth.png" "$work/late/"
-says "a first frame of another place" "begins anew" "$program" scan late --out late.scan
-says "the rest is tracked" '14 tracked' "$program" session show late.scan
+prints "a first frame of another place" "begins anew" "$program" scan late --out late.scan
+prints "the rest is tracked" '14 tracked' "$program" session show late.scan
 holds "the report advises" grep -q 'begins anew' late.scan/report.json
 
 finish

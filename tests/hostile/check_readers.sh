@@ -18,17 +18,17 @@ peak=$(peak_mb "$program" scan equal-times --frames 1 --out out-equal)
 holds "20,000 equal times need less than 1.5 GB, it was $peak MB" test "$peak" -lt 1500
 
 make nanoseconds nanoseconds
-says "times in nanoseconds are said" "are nanoseconds" "$program" scan nanoseconds --out out-nanoseconds
+prints "times in nanoseconds are said" "are nanoseconds" "$program" scan nanoseconds --out out-nanoseconds
 holds "they are written as seconds" test "$(first_stamp out-nanoseconds)" = 1403636579
 
 make marked marked
 succeeds "lists with a byte order mark" "$program" scan marked --intrinsics 146,146,80,60 --out out-marked
 
 make long-names long-names
-says "names of 19 digits are times" "are nanoseconds" "$program" scan long-names --out out-long-names
+prints "names of 19 digits are times" "are nanoseconds" "$program" scan long-names --out out-long-names
 holds "they are written as seconds, too" test "$(first_stamp out-long-names)" = 1581120424
 make any-names any-names
-says "equal names of any text" "3 tracked" "$program" scan any-names --out out-any-names
+prints "equal names of any text" "3 tracked" "$program" scan any-names --out out-any-names
 
 for kind in rgba sixteen-bits; do
   make "$kind" "$kind"

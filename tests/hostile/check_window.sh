@@ -6,10 +6,10 @@ scan=("$program" scan demo:tabletop:7 --frames 20)
 
 succeeds "scan without refinement" "${scan[@]}" --skip-refinement --out skipped
 holds "the report says that it was skipped" grep -q '"skipped": true' "$work/skipped/report.json"
-says "the session says so, too" "session refine" "$program" session show skipped
-says "it is done later" "refined with" "$program" session refine skipped
+prints "the session says so, too" "session refine" "$program" session show skipped
+prints "it is done later" "refined with" "$program" session refine skipped
 holds "the report says that it is done" grep -q '"skipped": false' "$work/skipped/report.json"
-says "once is enough" "refined already" "$program" session refine skipped
+prints "once is enough" "refined already" "$program" session refine skipped
 
 # Ctrl+C during the refinement: ends within 5 s with all results, and the rest can be done later.
 interrupt_refinement() {
@@ -28,7 +28,7 @@ for signal in INT TERM; do
   for file in report.json cloud.ply trajectory.txt session.sqlite; do
     holds "SIG$signal keeps $file" test -s "$work/by$signal/$file"
   done
-  says "SIG$signal: the rest is done later" "refined with" "$program" session refine "by$signal"
+  prints "SIG$signal: the rest is done later" "refined with" "$program" session refine "by$signal"
 done
 
 # Refinement needs the catalogue of the scan.

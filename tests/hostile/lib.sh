@@ -3,7 +3,7 @@
 #
 #   refuses   NAME TEXT COMMAND...   exit 1 or 2, no signal, and stderr or stdout contains TEXT
 #   succeeds  NAME COMMAND...        exit 0
-#   says      NAME TEXT COMMAND...   exit 0, and stderr or stdout contains TEXT
+#   prints    NAME TEXT COMMAND...   exit 0, and stderr or stdout contains TEXT
 #   survives  NAME COMMAND...        exit 0, 1 or 2 in time: neither a signal nor a hang
 #   holds     NAME COMMAND...        a shell condition, e.g. holds "the file is kept" test -f x
 set -u
@@ -25,17 +25,17 @@ note_pass() { passed=$((passed + 1)); }
 note_fail() {
   failed=$((failed + 1))
   echo "FAILED: $1: $2"
-  [ -s "$work.said" ] && tail -n 6 "$work.said" | cut -c1-300 | sed 's/^/    /'
+  [ -s "$work.output" ] && tail -n 6 "$work.output" | cut -c1-300 | sed 's/^/    /'
 }
 
-# Runs a command in $work with a time limit; its exit code is in $code, its output in $work.said.
+# Runs a command in $work with a time limit; its exit code is in $code, its output in $work.output.
 run() {
-  (cd "$work" && timeout --kill-after=5 "$limit_s" "$@") >"$work.said" 2>&1 </dev/null
+  (cd "$work" && timeout --kill-after=5 "$limit_s" "$@") >"$work.output" 2>&1 </dev/null
   code=$?
 }
 
 ended_by_itself() { [ "$code" -lt 124 ]; }
-said() { grep -qF -- "$1" "$work.said"; }
+is_printed() { grep -qF -- "$1" "$work.output"; }
 
 refuses() {
   local name=$1 text=$2
@@ -43,16 +43,16 @@ refuses() {
   run "$@"
   if ! ended_by_itself; then note_fail "$name" "ended with code $code"; return; fi
   if [ "$code" -ne 1 ] && [ "$code" -ne 2 ]; then note_fail "$name" "exit code $code"; return; fi
-  if ! said "$text"; then note_fail "$name" "the message lacks \"$text\""; return; fi
+  if ! is_printed "$text"; then note_fail "$name" "the message lacks \"$text\""; return; fi
   note_pass
 }
 
-says() {
+prints() {
   local name=$1 text=$2
   shift 2
   run "$@"
   if [ "$code" -ne 0 ]; then note_fail "$name" "exit code $code"; return; fi
-  if ! said "$text"; then note_fail "$name" "the output lacks \"$text\""; return; fi
+  if ! is_printed "$text"; then note_fail "$name" "the output lacks \"$text\""; return; fi
   note_pass
 }
 
@@ -75,13 +75,13 @@ survives() {
 holds() {
   local name=$1
   shift
-  : >"$work.said"
+  : >"$work.output"
   if (cd "$work" && "$@"); then note_pass; else note_fail "$name" "the condition is false"; fi
 }
 
 # Prints the summary of a script. Exit code 0: all checks passed.
 finish() {
-  rm -f "$work.said"
+  rm -f "$work.output"
   echo "$passed passed, $failed failed"
   [ "$failed" -eq 0 ]
 }

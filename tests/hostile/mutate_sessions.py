@@ -34,7 +34,7 @@ def run(arguments):
         done = subprocess.run(arguments, stdin=subprocess.DEVNULL, capture_output=True, timeout=LIMIT_S)
     except subprocess.TimeoutExpired:
         return None, "", []
-    said = [line for line in done.stderr.decode(errors="replace").splitlines() if line.startswith("scantrove: ")]
+    messages = [line for line in done.stderr.decode(errors="replace").splitlines() if line.startswith("scantrove: ")]
     return done.returncode, done.stdout.decode(errors="replace"), said
 
 
@@ -47,32 +47,32 @@ def content_of(folder):
     return files
 
 
-class Looks:
+class Results:
     """Outputs of the commands for a session."""
 
     def __init__(self, program, session, out, formats):
         self.commands = {}
         for what in ("show", "regions"):
-            code, text, said = run([program, "session", what, str(session), "--json"])
+            code, text, messages = run([program, "session", what, str(session), "--json"])
             try:
                 result = json.loads(text)
                 if isinstance(result, dict):
                     result = {key: value for key, value in result.items() if key not in NOT_RESULT}
             except ValueError:
                 result = text
-            self.commands[what] = (code, result, said)
+            self.commands[what] = (code, result, messages)
         for name in formats:
             folder = out / name
-            code, _, said = run([program, "export", str(session), "--format", name, "--out", str(folder)])
-            self.commands["export " + name] = (code, content_of(folder) if folder.exists() else {}, said)
+            code, _, messages = run([program, "export", str(session), "--format", name, "--out", str(folder)])
+            self.commands["export " + name] = (code, content_of(folder) if folder.exists() else {}, messages)
             shutil.rmtree(folder, ignore_errors=True)
 
 
 def verdict(sound, damaged):
-    """The worst of the commands: crashed, hung, silent, said, same."""
-    order = ["same", "said", "silent", "hung", "crashed"]
+    """The worst of the commands: crashed, hung, silent, reported, same."""
+    order = ["same", "reported", "silent", "hung", "crashed"]
     worst, where = "same", ""
-    for name, (code, result, said) in damaged.commands.items():
+    for name, (code, result, messages) in damaged.commands.items():
         if code is None:
             one = "hung"
         elif code < 0 or code > 2:
@@ -80,7 +80,7 @@ def verdict(sound, damaged):
         elif code == 0 and result == sound.commands[name][1]:
             one = "same"
         else:
-            one = "said" if said or code != 0 else "silent"
+            one = "reported" if messages or code != 0 else "silent"
         if order.index(one) > order.index(worst):
             worst, where = one, name
     return worst, where
@@ -250,9 +250,9 @@ def make_session(program, folder):
     session = folder / "sound"
     settings = ["--set", "fusion.voxel_size_m=0.012", "--set", "fusion.working_width=160"]  # for speed
     for arguments in (["scan", "demo", "--frames", "24", "--out", str(session), *settings],):
-        code, _, said = run([program, *arguments])
+        code, _, messages = run([program, *arguments])
         if code != 0:
-            sys.exit("The session to damage cannot be made: " + " ".join(said))
+            sys.exit("The session to damage cannot be made: " + " ".join(messages))
     code, text, _ = run([program, "session", "regions", str(session), "--json"])
     largest = sorted(json.loads(text), key=lambda region: -region["voxels"])
     numbers = [str(region["id"]) for region in largest]
@@ -277,7 +277,7 @@ def main():
     bad = 0
     try:
         session = make_session(options.program, folder)
-        sound = Looks(options.program, session, folder, FORMATS)
+        sound = Results(options.program, session, folder, FORMATS)
         if any(code != 0 for code, _, _ in sound.commands.values()):
             sys.exit("The sound session cannot be read: " + str({k: v[0] for k, v in sound.commands.items()}))
         for number in range(options.count):
@@ -288,7 +288,7 @@ def main():
             kind = chance.choices(list(CHANGES), WEIGHTS)[0]
             done = CHANGES[kind](chance, copy)
             if done is not None:
-                damaged = Looks(options.program, copy, folder, [chance.choice(FORMATS)])
+                damaged = Results(options.program, copy, folder, [chance.choice(FORMATS)])
                 outcome, where = verdict(sound, damaged)
                 table[kind][outcome] += 1
                 is_bad = outcome in ("silent", "crashed", "hung")
@@ -299,7 +299,7 @@ def main():
             shutil.rmtree(copy)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
-    columns = ["same", "said", "silent", "hung", "crashed"]
+    columns = ["same", "reported", "silent", "hung", "crashed"]
     print(f"{'change':26}" + "".join(f"{column:>9}" for column in columns))
     for kind in CHANGES:
         if kind in table:

@@ -65,8 +65,8 @@ class ColorRig {
   }
 
   /// Fuses the depth of a view and raycasts the map. Without `camera`, colour is registered, of `color_size`.
-  [[nodiscard]] ColorShot look(const PaintedScene& scene, const Intrinsics& K, const Eigen::Isometry3d& T,
-                               const std::optional<ColorCamera>& camera, const cv::Size& color_size = {}) {
+  [[nodiscard]] ColorShot observe(const PaintedScene& scene, const Intrinsics& K, const Eigen::Isometry3d& T,
+                                  const std::optional<ColorCamera>& camera, const cv::Size& color_size = {}) {
     ColorShot shot;
     const std::vector<float> depth_m = scene.shape.depth(K, T);
     shot.depth.K = K;
@@ -105,7 +105,7 @@ class ColorRig {
 
   void show(const PaintedScene& scene, const Intrinsics& K, const Eigen::Isometry3d& T,
             const std::optional<ColorCamera>& camera, const cv::Size& color_size = {}) {
-    paint(look(scene, K, T, camera, color_size));
+    paint(observe(scene, K, T, camera, color_size));
   }
 
   [[nodiscard]] DenseMap& map() { return *map_; }

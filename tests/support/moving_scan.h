@@ -41,7 +41,7 @@ inline constexpr int kAllIsDone = 335;
 
 inline SyntheticOptions optionsFor(std::uint32_t seed, bool noise) {
   SyntheticOptions options;
-  options.set = [seed] { return synthetic::makeRandomMovingSet(seed); };
+  options.recipe = [seed] { return synthetic::makeRandomMovingScene(seed); };
   options.noise = noise;
   options.color = noise;
   return options;
@@ -61,7 +61,7 @@ inline Truth truthOf(std::uint32_t seed) {
   };
   Truth truth;
   for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
-    const auto isPerson = [&](std::uint16_t id) { return isOneOf(id, "walker", "arm"); };
+    const auto isPerson = [&](std::uint16_t id) { return isOneOf(id, "person", "arm"); };
     const auto isMovedObject = [&](std::uint16_t id) { return isOneOf(id, "mug", "chair"); };
     const bool is_done = read.frame.index >= kAllIsDone;
     truth.at_the_end.add(read.frame, options.K,

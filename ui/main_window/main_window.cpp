@@ -208,7 +208,7 @@ void MainWindow::connectRegions() {
                                     folder, [this] { showSavedScans(); }, fail));
   });
   connect(parts_.time_line, &TimeLine::requested, &bridge,
-          [&bridge](int place) { bridge.post(ShowKeyFrame{place}); });
+          [&bridge](int index) { bridge.post(ShowKeyFrame{index}); });
 }
 
 void MainWindow::connectCatalogue() {

@@ -56,7 +56,7 @@ ExportSampleView::ExportSampleView(QWidget* parent)
 void ExportSampleView::showSample(const ExportSample& sample) {
   count_ = sample.count;
   setVisible(count_ > 0);
-  index_ = count_ > 0 ? std::optional(sample.place) : std::nullopt;
+  index_ = count_ > 0 ? std::optional(sample.index) : std::nullopt;
   updateButtons();
   if (!sample.picture.empty()) {
     const QImage picture = colorPicture(sample.picture);
@@ -72,7 +72,7 @@ void ExportSampleView::showSample(const ExportSample& sample) {
   }
   caption_->setText(tr("Frame %1 — %2 of %3 — %n masks", nullptr, sample.masks)
                         .arg(sample.frame)
-                        .arg(sample.place + 1)
+                        .arg(sample.index + 1)
                         .arg(sample.count));
 }
 

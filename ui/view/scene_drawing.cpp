@@ -25,10 +25,10 @@ double millisecondsOf(const QElapsedTimer& timer) { return static_cast<double>(t
 
 }  // namespace
 
-SceneDrawing::SceneDrawing(QWidget& view, LabelCloudScene& scene, SnapshotArrivals& arrivals)
+SceneDrawing::SceneDrawing(QWidget& view, LabelCloudScene& scene, PendingSnapshots& pending_snapshots)
     : view_(view),
       scene_(scene),
-      arrivals_(arrivals),
+      pending_snapshots_(pending_snapshots),
       window_(std::make_unique<QtRenderWindow>(scene.renderer())) {
   draw_timer_.setSingleShot(true);
   connect(&draw_timer_, &QTimer::timeout, this, &SceneDrawing::drawUnlessPointing);
@@ -75,7 +75,7 @@ void SceneDrawing::schedule() {
   if (in_parts_ == InParts::still) in_parts_ = InParts::none;  // the scene has changed
   if (draw_timer_.isActive()) return;
   int wait_ms = 0;
-  if (!moving_ && (scanning_ || !arrivals_.isEmpty())) {
+  if (!moving_ && (scanning_ || !pending_snapshots_.isEmpty())) {
     const double share = scanning_ ? kTimeShareWhileScanning : kTimeShareWhileArriving;
     const int interval_ms =
         std::clamp(static_cast<int>(draw_ms_ / share), kShortestInterval_ms, kLongestInterval_ms);
@@ -129,7 +129,7 @@ void SceneDrawing::prepareQuickly(const QSize& pixels, std::size_t rebuild_point
 }
 
 bool SceneDrawing::drawsQuickly() const {
-  return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty();
+  return moving_ || scanning_ || full_detail_ || !pending_snapshots_.isEmpty();
 }
 
 PointBudget& SceneDrawing::budget() {
@@ -210,15 +210,15 @@ void SceneDrawing::drawNow(const QSize& pixels) {
   timer.start();
   in_parts_ = InParts::none;
   if (full_detail_) {
-    arrivals_.transfer(1e9);
+    pending_snapshots_.transfer(1e9);
     scene_.setOverlap(SplatOverlap::exact);
     constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMax);
     is_complete_ = scene_.prepare(pixels.width(), pixels.height(), kAll, kRebuildAllPoints);
   } else {
-    const bool is_arriving = scanning_ || !arrivals_.isEmpty();
-    prepareQuickly(pixels, resizing_     ? kRebuildInAStepPoints
-                           : is_arriving ? kRebuildAtATimePoints
-                                         : kRebuildAllPoints);
+    const bool has_more = scanning_ || !pending_snapshots_.isEmpty();
+    prepareQuickly(pixels, resizing_  ? kRebuildInAStepPoints
+                           : has_more ? kRebuildAtATimePoints
+                                      : kRebuildAllPoints);
   }
   is_prepared_ = false;
   preparing_steps_ = 0;

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "ui/scene/label_cloud_scene.h"
+#include "ui/view/pending_snapshots.h"
 #include "ui/view/point_budget.h"
-#include "ui/view/snapshot_arrivals.h"
 
 class QPainter;
 class QWidget;
@@ -25,7 +25,7 @@ class SceneDrawing : public QObject {
 
  public:
   /// All of these outlive it. `view` must paint itself with paint().
-  SceneDrawing(QWidget& view, LabelCloudScene& scene, SnapshotArrivals& arrivals);
+  SceneDrawing(QWidget& view, LabelCloudScene& scene, PendingSnapshots& pending_snapshots);
   ~SceneDrawing() override;
 
   /// Call before objects that own OpenGL resources are destroyed.
@@ -90,7 +90,7 @@ class SceneDrawing : public QObject {
 
   QWidget& view_;
   LabelCloudScene& scene_;
-  SnapshotArrivals& arrivals_;
+  PendingSnapshots& pending_snapshots_;
   std::unique_ptr<QtRenderWindow> window_;
   QImage picture_;  ///< of the last complete drawing
   QTimer draw_timer_;

@@ -18,8 +18,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setAccessibleDescription(
       tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
   setMouseTracking(true);
-  arrival_timer_.setSingleShot(true);
-  connect(&arrival_timer_, &QTimer::timeout, this, &SceneView::transfer);
+  transfer_timer_.setSingleShot(true);
+  connect(&transfer_timer_, &QTimer::timeout, this, &SceneView::transfer);
   connect(&drawing_, &SceneDrawing::drawn, this, [this](const QSize& pixels) {
     pointing_.setDrawn(pixels, devicePixelRatioF());
     emit drawn();
@@ -41,7 +41,7 @@ void SceneView::resizeEvent(QResizeEvent* /*event*/) { drawing_.redrawResized();
 
 void SceneView::clearScene() {
   drawing_.makeCurrent();
-  arrivals_.clear();
+  pending_snapshots_.clear();
   scene_.clear();
   emit followingChanged(scene_.following());
   emit cleared();
@@ -49,7 +49,7 @@ void SceneView::clearScene() {
 }
 
 void SceneView::showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot) {
-  arrivals_.add(snapshot);
+  pending_snapshots_.add(snapshot);
   const auto isByPerson = [](const auto& change) { return change.by_person; };
   const bool has_user_edit = std::ranges::any_of(snapshot->changed_regions, isByPerson) ||
                              std::ranges::any_of(snapshot->changed_bricks, isByPerson);
@@ -58,7 +58,7 @@ void SceneView::showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot
 }
 
 void SceneView::transfer() {
-  if (!arrivals_.transfer(kTransfer_ms)) arrival_timer_.start(0);
+  if (!pending_snapshots_.transfer(kTransfer_ms)) transfer_timer_.start(0);
   drawing_.schedule();
 }
 

@@ -10,10 +10,10 @@
 #include "core/scan/scan_snapshot.h"
 #include "ui/common/region_point.h"
 #include "ui/scene/label_cloud_scene.h"
+#include "ui/view/pending_snapshots.h"
 #include "ui/view/scene_drawing.h"
 #include "ui/view/scene_input.h"
 #include "ui/view/scene_pointing.h"
-#include "ui/view/snapshot_arrivals.h"
 
 namespace scantrove {
 
@@ -81,10 +81,10 @@ class SceneView : public QWidget {
   void transfer();
 
   LabelCloudScene scene_;
-  SnapshotArrivals arrivals_{scene_};
-  SceneDrawing drawing_{*this, scene_, arrivals_};
+  PendingSnapshots pending_snapshots_{scene_};
+  SceneDrawing drawing_{*this, scene_, pending_snapshots_};
   SceneInput input_{*this};
-  QTimer arrival_timer_;
+  QTimer transfer_timer_;
   ScenePointing pointing_{scene_};
 };
 

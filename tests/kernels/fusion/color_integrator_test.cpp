@@ -113,8 +113,8 @@ TEST(ColorIntegrator, EqualsTheFormula_InEveryVoxel) {
         const ColorCamera camera =
             registered ? ColorCamera{K.resizedTo(2 * K.width, 2 * K.height), Eigen::Isometry3d::Identity()}
                        : offsetColorCamera();
-        ColorShot shot = rig.look(scene, K, T, registered ? std::nullopt : std::optional(camera),
-                                  {camera.K.width, camera.K.height});
+        ColorShot shot = rig.observe(scene, K, T, registered ? std::nullopt : std::optional(camera),
+                                     {camera.K.width, camera.K.height});
         makeHoles(compute, shot);
         const reference::ColorView view = referenceView(compute, shot, camera, params);
         const std::vector<test::HostVoxel> voxels = test::usedVoxels(compute, map);
@@ -209,7 +209,7 @@ TEST(ColorIntegrator, ColorsNoVoxel_WithoutDepthReading) {
     ColorRig rig(compute, params);
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     const PaintedScene wall = wallAt(1.0, {90, 90, 90});
-    ColorShot shot = rig.look(wall, K, T, std::nullopt, {K.width, K.height});
+    ColorShot shot = rig.observe(wall, K, T, std::nullopt, {K.width, K.height});
     // The left half has no readings, as behind a hand too near to measure; the map still shows the wall
     // there.
     std::vector<cl_float4> readings = shot.depth.levels.front().vertices_camera.read(compute.queue());
@@ -253,7 +253,7 @@ TEST(ColorIntegrator, FollowsSmallChanges_AtFullWeight) {
     const double z = 1.7;
     ColorShot shot;
     for (int i = 0; i < 40; ++i) {
-      shot = rig.look(wallAt(z, {100, 50, 200}), K, Eigen::Isometry3d::Identity(), std::nullopt, size);
+      shot = rig.observe(wallAt(z, {100, 50, 200}), K, Eigen::Isometry3d::Identity(), std::nullopt, size);
       rig.paint(shot);
     }
     EXPECT_EQ(aheadAt(compute, rig.map().bricks(), z), Eigen::Vector3d(100, 50, 200))
@@ -292,8 +292,8 @@ TEST(ColorIntegrator, ColorsNothing_WithoutColorImage) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, colorParams());
-    ColorShot shot =
-        rig.look(wallAt(1, {9, 9, 9}), K, Eigen::Isometry3d::Identity(), std::nullopt, {K.width, K.height});
+    ColorShot shot = rig.observe(wallAt(1, {9, 9, 9}), K, Eigen::Isometry3d::Identity(), std::nullopt,
+                                 {K.width, K.height});
     shot.frame.color.release();
     rig.paint(shot);
     const BrickMap& map = rig.map().bricks();
@@ -308,8 +308,8 @@ TEST(ColorIntegrator, ColorsALargeView_OverSeveralFrames) {
     FusionParams params = colorParams();
     params.voxel_size_m = 0.005F;
     ColorRig rig(compute, params);
-    const ColorShot shot = rig.look(wallAt(2.002, {60, 70, 80}), K, Eigen::Isometry3d::Identity(),
-                                    std::nullopt, {K.width, K.height});
+    const ColorShot shot = rig.observe(wallAt(2.002, {60, 70, 80}), K, Eigen::Isometry3d::Identity(),
+                                       std::nullopt, {K.width, K.height});
     const BrickMap& map = rig.map().bricks();
     const auto coloredBricks = [&] {
       const std::vector<cl_uint> colors = test::usedPart(compute, map, map.pools().colors());

@@ -10,9 +10,10 @@
 namespace scantrove::test {
 namespace {
 
-std::vector<RgbdFrame> recorded(synthetic::SceneRecipe (*set)(), int frames, int stride, bool color = true) {
+std::vector<RgbdFrame> recorded(synthetic::SceneRecipe (*recipe)(), int frames, int stride,
+                                bool color = true) {
   SyntheticOptions options;
-  options.set = set;
+  options.recipe = recipe;
   options.frames = frames;
   options.stride = stride;
   options.color = color;
@@ -40,7 +41,7 @@ double errorOf_m(const PoseEstimate& pose, const RgbdFrame& frame, const RgbdFra
 
 // On a bare wall, depth leaves three directions free.
 TEST(PoseTracker, TracksAPaintedWall_ByColor) {
-  const std::vector<RgbdFrame> frames = recorded(synthetic::makeWallSet, 100, 3);
+  const std::vector<RgbdFrame> frames = recorded(synthetic::makeWallScene, 100, 3);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kCamera);
     for (const RgbdFrame& frame : frames) {
@@ -52,7 +53,7 @@ TEST(PoseTracker, TracksAPaintedWall_ByColor) {
 }
 
 TEST(PoseTracker, GivesNoWrongPose_OnAWallWithoutColor) {
-  const std::vector<RgbdFrame> frames = recorded(synthetic::makeWallSet, 60, 4, false);
+  const std::vector<RgbdFrame> frames = recorded(synthetic::makeWallScene, 60, 4, false);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kCamera);
     for (const RgbdFrame& frame : frames) {
@@ -65,7 +66,7 @@ TEST(PoseTracker, GivesNoWrongPose_OnAWallWithoutColor) {
 
 // Motion prediction fails over 20 frames of hand motion.
 TEST(PoseTracker, TracksWideSteps) {
-  const std::vector<RgbdFrame> frames = recorded(synthetic::makeTabletopSet, 300, 20);
+  const std::vector<RgbdFrame> frames = recorded(synthetic::makeTabletopScene, 300, 20);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kCamera);
     for (const RgbdFrame& frame : frames) {
@@ -78,7 +79,7 @@ TEST(PoseTracker, TracksWideSteps) {
 
 TEST(PoseTracker, Relocalizes_AtVisitedPoses) {
   for (const bool color : {true, false}) {
-    const std::vector<RgbdFrame> frames = recorded(synthetic::makeTabletopSet, 180, 9, color);
+    const std::vector<RgbdFrame> frames = recorded(synthetic::makeTabletopScene, 180, 9, color);
     onEachDevice([&](ComputeContext& compute) {
       SCOPED_TRACE(color ? "with colour" : "without colour");
       TrackingRig rig(compute, kCamera);
@@ -143,8 +144,8 @@ TEST(PoseTracker, DropsAnUncertainPose_WhenNeverConfirmed) {
 
 TEST(PoseTracker, FindsNoPose_InAnotherScene) {
   for (const bool color : {true, false}) {
-    const std::vector<RgbdFrame> here = recorded(synthetic::makeTabletopSet, 120, 6, color);
-    const std::vector<RgbdFrame> elsewhere = recorded(synthetic::makeRoomSet, 400, 40, color);
+    const std::vector<RgbdFrame> here = recorded(synthetic::makeTabletopScene, 120, 6, color);
+    const std::vector<RgbdFrame> elsewhere = recorded(synthetic::makeRoomScene, 400, 40, color);
     onEachDevice([&](ComputeContext& compute) {
       TrackingRig rig(compute, kCamera);
       for (const RgbdFrame& frame : here) ASSERT_TRUE(rig.show(frame).usable()) << frame.index;

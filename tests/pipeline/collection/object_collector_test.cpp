@@ -46,10 +46,10 @@ TEST_F(ObjectCollectorTest, ReportsARecognizedObjectOnce) {
   EXPECT_TRUE(first.seen[0].recognized);
   EXPECT_EQ(first.added.size(), 1U);
   EXPECT_TRUE(showFrame({mug_, box_}).recognized.empty());
-  const auto met = collector_->objects().list();
-  ASSERT_EQ(met.size(), 2U);
-  EXPECT_EQ(met[0].recognized_from, "table");
-  EXPECT_EQ(met[1].recognized_from, "");
+  const auto listed = collector_->objects().list();
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_EQ(listed[0].recognized_from, "table");
+  EXPECT_EQ(listed[1].recognized_from, "");
 }
 
 TEST_F(ObjectCollectorTest, FindsTheObjectAtItsPlace_UnderANewRegion) {

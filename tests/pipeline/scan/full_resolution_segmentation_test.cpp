@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "tests/support/film_sets.h"
 #include "tests/support/synthetic_scan.h"
+#include "tests/support/test_scenes.h"
 
 namespace scantrove {
 namespace {
@@ -22,7 +22,7 @@ class FullResolutionSegmentationTest : public testing::Test {
   }
   static SyntheticOptions options() {
     SyntheticOptions options;
-    options.set = test::makeBookRowSet;
+    options.recipe = test::makeBookRowScene;
     return options;
   }
   static MappingParams params() {

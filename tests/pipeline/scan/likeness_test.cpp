@@ -20,7 +20,7 @@ constexpr std::array kMugs{"mug A", "mug B"};
 constexpr std::array kBooks{"book A", "book B", "book C"};
 
 /// Two equal mugs and three equal books among other objects on a table.
-synthetic::SceneRecipe makeEqualsSet() {
+synthetic::SceneRecipe makeEqualsScene() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
@@ -76,7 +76,7 @@ class LikenessTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     SyntheticOptions options;
-    options.set = makeEqualsSet;
+    options.recipe = makeEqualsScene;
     options.stride = 2;
     scan_ = new SyntheticScan(options, {}, true);
     scan_->run();

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 /// A coarse scan of the corridor whose map is about ten times the budget of 9 MiB.
 SyntheticOptions corridorOptions() {
   SyntheticOptions options;
-  options.set = synthetic::makeCorridorSet;
+  options.recipe = synthetic::makeCorridorScene;
   options.K = Intrinsics{131, 131, 79.5F, 59.5F, 160, 120};
   options.noise = false;
   options.stride = 20;  // 0.5 m

@@ -1,16 +1,16 @@
 #include <gtest/gtest.h>
 
-#include "tests/support/film_sets.h"
 #include "tests/support/synthetic_scan.h"
+#include "tests/support/test_scenes.h"
 
 namespace scantrove {
 namespace {
 
 using test::SyntheticScan;
 
-SyntheticOptions optionsOf(synthetic::SceneRecipe (*set)(), int frames) {
+SyntheticOptions optionsOf(synthetic::SceneRecipe (*recipe)(), int frames) {
   SyntheticOptions options;
-  options.set = set;
+  options.recipe = recipe;
   options.frames = frames;
   return options;
 }
@@ -18,7 +18,7 @@ SyntheticOptions optionsOf(synthetic::SceneRecipe (*set)(), int frames) {
 // The central claims of the thesis on a scene with exact truth: poses are right, and merging over time gives
 // better boundaries than single frames (table 4.1).
 TEST(SyntheticTabletop, TracksWithinTenMillimeters_AndMergingImprovesBoundaries) {
-  SyntheticScan scan(optionsOf(synthetic::makeTabletopSet, 100));
+  SyntheticScan scan(optionsOf(synthetic::makeTabletopScene, 100));
   scan.run();
   ASSERT_EQ(scan.frames.size(), 100U);
   for (const auto& frame : scan.frames) EXPECT_TRUE(frame.pose.usable());
@@ -46,7 +46,7 @@ TEST(SyntheticTabletop, TracksWithinTenMillimeters_AndMergingImprovesBoundaries)
 
 // Thesis 4.3: segments of a non-convex object merge once a convex connection was seen.
 TEST(SyntheticLBlock, SegmentsMergeIntoOneRegion) {
-  SyntheticScan scan(optionsOf(test::makeLBlockSet, 0));
+  SyntheticScan scan(optionsOf(test::makeLBlockScene, 0));
   scan.run();
   ASSERT_GE(scan.frames.size(), 100U);
   const int block = scan.source().scene().find("L block");
@@ -65,7 +65,7 @@ TEST(SyntheticLBlock, SegmentsMergeIntoOneRegion) {
 
 // Thesis 4.5: the floor that a chair splits becomes one region and stays one.
 TEST(SyntheticChairFloor, FloorSplitByTheChairBecomesOneRegion) {
-  SyntheticScan scan(optionsOf(test::makeChairFloorSet, 0));
+  SyntheticScan scan(optionsOf(test::makeChairFloorScene, 0));
   scan.run();
   const int floor = 1;
   const auto& first = scan.frames.front();

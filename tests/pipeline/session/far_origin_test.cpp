@@ -7,8 +7,8 @@
 #include "core/capture/pose_files.h"
 #include "core/session/open_session.h"
 #include "core/session/session_scan.h"
-#include "tests/support/filmed_recording.h"
 #include "tests/support/scan_runner.h"
+#include "tests/support/synthetic_recording.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {

@@ -83,7 +83,7 @@ TEST_F(RegionNamingTest, AddsObjects_DuringTheScan) {
   const std::vector<ObjectRecord> mugs = objectsNamed("mug");
   ASSERT_EQ(mugs.size(), 1U);
   EXPECT_TRUE(mugs[0].confirmed);
-  EXPECT_EQ(mugs[0].named_by, NamedBy::person);
+  EXPECT_EQ(mugs[0].named_by, NamedBy::user);
   EXPECT_GE(mugs[0].views, 1);
   EXPECT_EQ(objectsNamed("box").size(), 1U);
   EXPECT_TRUE(objectsNamed("wall").empty()) << "background";

@@ -261,7 +261,7 @@ void show(const ScanSnapshot& snapshot, Shown& shown) {
 // others reuse their slots.
 TEST_F(SnapshotBuilderTest, SendsTheSame_WhenMostOfTheMapIsOnDisk) {
   SyntheticOptions options;
-  options.set = synthetic::makeCorridorSet;
+  options.recipe = synthetic::makeCorridorScene;
   options.K = Intrinsics{131, 131, 79.5F, 59.5F, 160, 120};
   options.noise = false;
   options.color = false;

@@ -9,8 +9,8 @@
 
 #include "core/scan/scan_advisor.h"
 #include "core/session/session_store.h"
-#include "tests/support/filmed_recording.h"
 #include "tests/support/scan_runner.h"
+#include "tests/support/synthetic_recording.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {

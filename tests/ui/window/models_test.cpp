@@ -68,7 +68,7 @@ TEST_F(CatalogueEditorTest, DeletesMergesAndConfirmsSeveralInOneStep) {
 
 TEST_F(CatalogueEditorTest, UndoneRenameIsNoNameByAUser) {
   ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("Cup")));
-  EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::person);
+  EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::user);
   history_.stack().undo();
   EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::program);
 }

@@ -313,7 +313,7 @@ TEST_F(PointingTest, EndedScanShowsKeyFrames_AndExportsADataSet) {
   ASSERT_FALSE(worker_->samples.empty());
   EXPECT_FALSE(worker_->samples.back().second) << "the worker chooses the first sample";
   ExportSample sample;
-  sample.place = 1;
+  sample.index = 1;
   sample.count = 3;
   sample.frame = 30;
   sample.masks = 2;

@@ -66,7 +66,7 @@ class FakeFreenect {
       return 0;
     });
   }
-  void say(const char* message) const {
+  void log(const char* message) const {
     if (log_ != nullptr) log_(context(), FREENECT_LOG_ERROR, message);
   }
   void handOverNothing() { on_depth_(device(), nullptr, 0); }
@@ -97,7 +97,7 @@ class FakeFreenect {
         .open_device_by_camera_serial =
             [](freenect_context*, freenect_device** opened, const char* requested) {
               if (requested != current_->serial) {
-                current_->say("Couldn't find a device with that serial\n");
+                current_->log("Couldn't find a device with that serial\n");
                 return -1;
               }
               return current_->open(opened, 0);
@@ -141,8 +141,8 @@ class FakeFreenect {
   }
   int open(freenect_device** opened, int index) {
     if (open_status < 0) {
-      say(open_message.c_str());
-      say("Failed to open audio subdevice or it is not disabled.");  // libfreenect logs further messages
+      log(open_message.c_str());
+      log("Failed to open audio subdevice or it is not disabled.");  // libfreenect logs further messages
       return open_status;
     }
     opened_index = index;

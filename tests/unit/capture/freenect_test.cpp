@@ -178,8 +178,8 @@ TEST(Freenect, FailsOnceWithTheName_WhenTheCameraIsUnplugged) {
   fake.depthAt(0, 1000);
   fake.colorAt(0, 1, 2, 3);
   fake.events.emplace_back([&fake] {
-    fake.say("USB device disappeared, cancelling stream 81 :(\n");
-    fake.say("USB camera marked dead, stopping streams\n");
+    fake.log("USB device disappeared, cancelling stream 81 :(\n");
+    fake.log("USB camera marked dead, stopping streams\n");
     return -1;
   });
   {

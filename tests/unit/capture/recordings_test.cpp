@@ -17,7 +17,7 @@ using testing::Not;
 using Status = FrameRead::Status;
 
 /// Reads all and expects registered, plausible 640x480 frames; returns how many had a pose.
-int expectWholeRecording(const std::filesystem::path& path, int frame_count, const std::string& kind) {
+int expectCompleteRecording(const std::filesystem::path& path, int frame_count, const std::string& kind) {
   const CapturedLog log;
   const auto source = openSource(path.string(), {});
   if (!source) {
@@ -54,19 +54,19 @@ int expectWholeRecording(const std::filesystem::path& path, int frame_count, con
 
 TEST(Recordings, ReadsSevenScenesKitchen) {
   SCANTROVE_NEED_RECORDING(path, "kitchen");
-  EXPECT_EQ(expectWholeRecording(path, 500, "7-Scenes"), 500);
+  EXPECT_EQ(expectCompleteRecording(path, 500, "7-Scenes"), 500);
 }
 
 TEST(Recordings, ReadsTumDesk) {
   SCANTROVE_NEED_RECORDING(path, "desk");
-  EXPECT_EQ(expectWholeRecording(path, 110, "TUM RGB-D"), 110);
+  EXPECT_EQ(expectCompleteRecording(path, 110, "TUM RGB-D"), 110);
   const auto source = openSource(path.string(), {});
   EXPECT_EQ((*source)->info().intrinsics, (Intrinsics{517.3F, 516.5F, 318.6F, 255.3F, 640, 480}));
 }
 
 TEST(Recordings, ReadsRedwoodLivingRoom) {
   SCANTROVE_NEED_RECORDING(path, "redwood");
-  EXPECT_EQ(expectWholeRecording(path, 211, "numbered images"), 211);
+  EXPECT_EQ(expectCompleteRecording(path, 211, "numbered images"), 211);
 }
 
 TEST(Recordings, ReadsTableTopPhotographsAsNumberedFolder) {
@@ -79,7 +79,7 @@ TEST(Recordings, ReadsTableTopPhotographsAsNumberedFolder) {
                                  folder / kind / numbered("%05d.png", i));
     }
   }
-  EXPECT_EQ(expectWholeRecording(folder.path(), 45, "numbered images"), 0);
+  EXPECT_EQ(expectCompleteRecording(folder.path(), 45, "numbered images"), 0);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class CatalogueModelTest : public testing::Test {
     for (const CatalogueChange& change : model_.takeChanges()) kinds.push_back(change.kind);
     return kinds;
   }
-  void settle(ObjectId id, const std::string& name) { ASSERT_TRUE(model_.rename(id, name, NamedBy::person)); }
+  void settle(ObjectId id, const std::string& name) { ASSERT_TRUE(model_.rename(id, name, NamedBy::user)); }
   ObjectMerge merge(ObjectId a, ObjectId b) { return model_.merge(std::array{a, b}).value(); }
 
   CatalogueModel model_{"the file"};
@@ -66,7 +66,7 @@ TEST_F(CatalogueModelTest, MergeRoot_IsNone_WhenTheRootIsDeletedOrMergesAreCycli
 TEST_F(CatalogueModelTest, Rename_DropsBlanksAndIsOneChange) {
   settle(kOld, "  blue mug ");
   EXPECT_EQ(state(kOld).name, "blue mug");
-  EXPECT_EQ(state(kOld).named_by, NamedBy::person);
+  EXPECT_EQ(state(kOld).named_by, NamedBy::user);
   EXPECT_FALSE(state(kOld).confirmed);
   EXPECT_THAT(changes(), ElementsAre(Kind::renamed));
   settle(kOld, "blue mug");
@@ -74,9 +74,9 @@ TEST_F(CatalogueModelTest, Rename_DropsBlanksAndIsOneChange) {
 }
 
 TEST_F(CatalogueModelTest, Rename_Fails_WhenAnotherVisibleObjectHasTheName) {
-  EXPECT_THAT(model_.rename(kOld, "Obj_2", NamedBy::person).error().what, HasSubstr("is called Obj_2"));
+  EXPECT_THAT(model_.rename(kOld, "Obj_2", NamedBy::user).error().what, HasSubstr("is called Obj_2"));
   ASSERT_TRUE(model_.remove(std::array{kMiddle}));
-  EXPECT_TRUE(model_.rename(kOld, "Obj_2", NamedBy::person));
+  EXPECT_TRUE(model_.rename(kOld, "Obj_2", NamedBy::user));
 }
 
 TEST_F(CatalogueModelTest, SetConfirmed_ChangesNothing_WhenOneIsHidden) {
@@ -138,7 +138,7 @@ TEST_F(CatalogueModelTest, Merge_PrefersNamedThenConfirmedThenOldestAsRoot) {
   EXPECT_EQ(merge(kMiddle, kOld).into, kOld);
   ASSERT_TRUE(model_.setConfirmed(std::array{kNew}, true));
   EXPECT_EQ(merge(kOld, kNew).into, kNew);
-  model_.put({ObjectId{4}, "mug", NamedBy::person});
+  model_.put({ObjectId{4}, "mug", NamedBy::user});
   const ObjectMerge last = merge(kNew, ObjectId{4});
   EXPECT_EQ(last.into, ObjectId{4});
   EXPECT_TRUE(last.has_confirmed);

@@ -45,10 +45,10 @@ class CatalogueUser {
 
   /// Its answer; empty when it ended.
   std::string ask(const std::string& line) {
-    tell(line);
+    send(line);
     return nextLine();
   }
-  void tell(const std::string& line) {
+  void send(const std::string& line) {
     std::fputs((line + '\n').c_str(), in_);
     std::fflush(in_);
   }
@@ -67,7 +67,7 @@ class CatalogueUser {
   }
 
   void quit() {
-    tell("quit");
+    send("quit");
     EXPECT_EQ(end(), 0);
   }
   void kill() const {

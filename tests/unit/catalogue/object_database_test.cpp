@@ -192,11 +192,11 @@ TEST_F(ObjectDatabaseTest, StoresWhoGaveTheName) {
   const ObjectId id = database->addObject(randomView(0))->id;
   EXPECT_EQ(database->object(id)->named_by, NamedBy::program);
   EXPECT_TRUE(database->rename(id, "Obj_7"));
-  EXPECT_EQ(database->object(id)->named_by, NamedBy::person);
+  EXPECT_EQ(database->object(id)->named_by, NamedBy::user);
   EXPECT_TRUE(database->rename(id, "Obj_1", NamedBy::program));
   EXPECT_EQ(database->object(id)->named_by, NamedBy::program);
   EXPECT_TRUE(database->rename(id, "Obj_1"));  // the user typed the generated name
-  EXPECT_EQ(openOrFail(file())->object(id)->named_by, NamedBy::person);
+  EXPECT_EQ(openOrFail(file())->object(id)->named_by, NamedBy::user);
 }
 
 TEST_F(ObjectDatabaseTest, RefusesInvalidNames) {

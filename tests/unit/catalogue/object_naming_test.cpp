@@ -45,7 +45,7 @@ TEST_F(ObjectNamingTest, SetsAndRevertsNameAndConfirmation) {
   EXPECT_EQ(naming.name, "blue mug");
   EXPECT_EQ(record(mug).name, "blue mug");
   EXPECT_TRUE(record(mug).confirmed);
-  EXPECT_EQ(record(mug).named_by, NamedBy::person);
+  EXPECT_EQ(record(mug).named_by, NamedBy::user);
   EXPECT_TRUE(revert(naming));
   EXPECT_EQ(record(mug).name, "Obj_1");
   EXPECT_FALSE(record(mug).confirmed);

@@ -79,7 +79,7 @@ TEST_F(SeveralProgramsTest, LosesNothing_WhenKilledWhileWriting) {
   for (const std::size_t objects : {1U, 7U, 23U, 40U}) {
     CatalogueUser writer(file());
     ASSERT_EQ(writer.ask("open"), "ok");
-    writer.tell("write");
+    writer.send("write");
     std::size_t reported = 0;
     for (std::string line = writer.nextLine(); !line.empty(); line = writer.nextLine()) {
       noteStored(CatalogueUser::idOf(line));

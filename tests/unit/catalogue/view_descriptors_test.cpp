@@ -134,7 +134,7 @@ TEST_F(ViewDescriptorsTest, AreComputed_WhenTheCatalogueIsOfVersionOne) {
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM view_summaries WHERE object_pixels IS NULL"), "0");
   EXPECT_EQ(database->views().picture(ObjectId{1})->size(), cv::Size(60, 40));
   EXPECT_EQ(database->object(ObjectId{1})->named_by, NamedBy::program);
-  EXPECT_EQ(database->object(ObjectId{2})->named_by, NamedBy::person);
+  EXPECT_EQ(database->object(ObjectId{2})->named_by, NamedBy::user);
   EXPECT_EQ(database->object(ObjectId{3})->named_by, NamedBy::program);
   EXPECT_EQ(database->object(ObjectId{1})->size_m, randomView(0).size_m);
   EXPECT_TRUE(database->views().of(ObjectId{1})->front().frame_px.empty()) << "version 1 stored no box";

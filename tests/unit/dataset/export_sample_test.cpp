@@ -18,7 +18,7 @@ TEST(ExportSample, ShowsTheExportedMasksOverTheColorImage) {
   const auto sample = sampleExport(scene, {.format = DatasetFormat::coco, .folder = {}}, 1);
   ASSERT_TRUE(sample) << sample.error().message();
   EXPECT_EQ(sample->count, 3);
-  EXPECT_EQ(sample->place, 1);
+  EXPECT_EQ(sample->index, 1);
   EXPECT_EQ(sample->frame, 10);
   EXPECT_EQ(sample->masks, 2);
   EXPECT_TRUE(sample->problem.empty());
@@ -37,10 +37,10 @@ TEST(ExportSample, FollowsFormatBackgroundAndPosition) {
   EXPECT_EQ(more->masks, 4) << "with the table and the block";
   const auto middle = sampleExport(scene, {.format = DatasetFormat::yolo, .folder = {}}, std::nullopt);
   ASSERT_TRUE(middle);
-  EXPECT_EQ(middle->place, 1);
+  EXPECT_EQ(middle->index, 1);
   const auto beyond = sampleExport(scene, {.format = DatasetFormat::yolo, .folder = {}}, 99);
   ASSERT_TRUE(beyond);
-  EXPECT_EQ(beyond->place, 2);
+  EXPECT_EQ(beyond->index, 2);
   const auto mesh = sampleExport(scene, {.format = DatasetFormat::mesh, .folder = {}}, 0);
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->count, 0);

@@ -62,7 +62,7 @@ TEST(JudgeView, ScalesTheMaskToItsBox) {
   EXPECT_EQ(judgeView(full(4, 4), {-2, 2, 4, 4}, scene(), kObjects).verdict, background);
 }
 
-TEST(JudgeEntry, IsWhole_WhenFourOfFiveViewsAre) {
+TEST(JudgeEntry, IsComplete_WhenFourOfFiveViewsAre) {
   const ViewJudgment mug{complete, {2}};
   const ViewJudgment half{part, {2}};
   const ViewJudgment both{merger, {3, 2}};
@@ -77,7 +77,7 @@ TEST(JudgeEntry, IsWhole_WhenFourOfFiveViewsAre) {
   EXPECT_EQ(judgeEntry(poor).complete_views, 2);
 }
 
-TEST(JudgeEntry, IsAMerger_WhenViewsShowTwoWholeObjects) {
+TEST(JudgeEntry, IsAMerger_WhenViewsShowTwoCompleteObjects) {
   const std::vector<ViewJudgment> views{{complete, {2}}, {complete, {3}}};
   EXPECT_EQ(judgeEntry(views).verdict, merger);
   EXPECT_THAT(judgeEntry(views).instances, ElementsAre(2, 3));

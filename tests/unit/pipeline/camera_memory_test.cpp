@@ -76,8 +76,8 @@ TEST(CameraMemory, ReadsBackEqual_WithAndWithoutTracker) {
     ASSERT_EQ(back->tracker->places.size(), 2U);
     EXPECT_EQ(back->tracker->places[1].landmarks.points_world[1].z, 6);
     EXPECT_EQ(back->tracker->surfaces[1].surface.units().at<std::uint16_t>(4, 6), 13 * 257);
-    EXPECT_TRUE(back->tracker->surfaces[1].is_left);
-    EXPECT_FALSE(back->tracker->surfaces[0].is_left);
+    EXPECT_TRUE(back->tracker->surfaces[1].is_revisitable);
+    EXPECT_FALSE(back->tracker->surfaces[0].is_revisitable);
   }
 }
 

@@ -16,8 +16,8 @@ RegionNote noteOf(const std::string& name, const std::string& category = "") {
   return note;
 }
 
-RegionObject known(std::uint32_t id, const std::string& name, NamedBy by = NamedBy::person) {
-  return {State::known, ObjectId{id}, name, by, by == NamedBy::person, false};
+RegionObject known(std::uint32_t id, const std::string& name, NamedBy by = NamedBy::user) {
+  return {State::known, ObjectId{id}, name, by, by == NamedBy::user, false};
 }
 
 TEST(RegionLabel, IsTheCataloguesName_WhenAPersonGaveIt) {

@@ -29,7 +29,7 @@ std::vector<Eigen::Array2f> tintsOf(const SyntheticScene& scene) {
 
 TEST(LowContrastColors, UseThreeTints_ForObjectsAndFurniture) {
   for (const std::uint32_t seed : {5U, 6U}) {
-    SyntheticScene colorful = synthetic::makeRandomTabletopSet(seed).scene;
+    SyntheticScene colorful = synthetic::makeRandomTabletopScene(seed).scene;
     EXPECT_GT(tintsOf(colorful).size(), 10U);
     const SyntheticScene low_contrast = synthetic::makeLowContrast(std::move(colorful), seed);
     const std::vector<Eigen::Array2f> tints = tintsOf(low_contrast);

@@ -13,12 +13,12 @@ INSTANTIATE_TEST_SUITE_P(Seeds, MovingSceneTest, testing::Range(1U, 7U));
 
 TEST_P(MovingSceneTest, PersonPassesAndMovesMugAndChair) {
   SyntheticOptions options;
-  options.set = [] { return synthetic::makeRandomMovingSet(GetParam()); };
+  options.recipe = [] { return synthetic::makeRandomMovingScene(GetParam()); };
   options.noise = options.color = false;
   options.stride = 15;
   const auto source = makeSyntheticSource(options).value();
   const SyntheticScene& scene = source->scene();
-  const std::uint16_t person = scene.find("walker");
+  const std::uint16_t person = scene.find("person");
   const std::uint16_t arm = scene.find("arm");
   const std::uint16_t mug = scene.find("mug");
   const std::uint16_t chair = scene.find("chair");

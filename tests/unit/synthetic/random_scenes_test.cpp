@@ -22,15 +22,15 @@ struct Kind {
   SceneRecipe (*make)(std::uint32_t seed);
   int frames;
 };
-const Kind kRoom{"room", synthetic::makeRandomRoomSet, 300};
-const Kind kTabletop{"tabletop", synthetic::makeRandomTabletopSet, 240};
+const Kind kRoom{"room", synthetic::makeRandomRoomScene, 300};
+const Kind kTabletop{"tabletop", synthetic::makeRandomTabletopScene, 240};
 
 /// Every kind of random scene with thirty seeds.
 class RandomSceneTest : public testing::TestWithParam<std::tuple<Kind, std::uint32_t>> {
  protected:
   const Kind kind = std::get<0>(GetParam());
   const std::uint32_t seed = std::get<1>(GetParam());
-  const SceneRecipe set = kind.make(seed);
+  const SceneRecipe recipe = kind.make(seed);
 };
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSceneTest,
                          testing::Combine(testing::Values(kRoom, kTabletop), testing::Range(1U, 31U)),
@@ -105,12 +105,12 @@ double gapBelow(const PlumbLines& lines, const Eigen::AlignedBox3d& box, std::ui
 }
 
 TEST_P(RandomSceneTest, EveryObjectHasASupport) {
-  const PlumbLines lines(set.scene);
+  const PlumbLines lines(recipe.scene);
   int objects = 0;
-  for (const InstanceName& instance : set.scene.instances()) {
+  for (const InstanceName& instance : recipe.scene.instances()) {
     if (!instance.is_object) continue;
     ++objects;
-    EXPECT_LT(gapBelow(lines, set.scene.boundsOf(instance.id), instance.id), 0.0025) << instance.name;
+    EXPECT_LT(gapBelow(lines, recipe.scene.boundsOf(instance.id), instance.id), 0.0025) << instance.name;
   }
   EXPECT_GE(objects, 8);
 }
@@ -118,7 +118,7 @@ TEST_P(RandomSceneTest, EveryObjectHasASupport) {
 TEST_P(RandomSceneTest, ObjectsNeverIntersect) {
   // A point is inside another solid if rays from all six axis directions hit it first. No object centre may
   // be.
-  const SyntheticScene& scene = set.scene;
+  const SyntheticScene& scene = recipe.scene;
   for (const SyntheticScene::Part& part : scene.parts()) {
     const Vector3d middle =
         part.T_world_part * Vector3d((part.shape->bounds().low + part.shape->bounds().high) / 2);
@@ -140,7 +140,7 @@ TEST_P(RandomSceneTest, ObjectsNeverIntersect) {
 }
 
 TEST_P(RandomSceneTest, CameraMovesAtHandSpeedAwayFromSurfaces) {
-  const synthetic::Trajectory trajectory(set.path, false, 0);
+  const synthetic::Trajectory trajectory(recipe.path, false, 0);
   double path_m = 0;
   for (int frame = 0; frame + 1 < kind.frames; ++frame) {
     const Eigen::Isometry3d here = trajectory.pose(frame / 30.0);
@@ -155,7 +155,7 @@ TEST_P(RandomSceneTest, CameraMovesAtHandSpeedAwayFromSurfaces) {
       const double azimuth_rad = 2.4 * i;
       const double level = std::sqrt(1 - z * z);
       const Vector3d direction(level * std::cos(azimuth_rad), level * std::sin(azimuth_rad), z);
-      const RayHit hit = set.scene.cast(here.translation(), direction);
+      const RayHit hit = recipe.scene.cast(here.translation(), direction);
       ASSERT_GT(hit.distance, 0.2) << "frame " << frame;
     }
   }
@@ -164,7 +164,7 @@ TEST_P(RandomSceneTest, CameraMovesAtHandSpeedAwayFromSurfaces) {
 
 TEST_P(RandomSceneTest, ViewsAreNearAndShowManyInstances) {
   SyntheticOptions options;
-  options.set = [this] { return kind.make(seed); };
+  options.recipe = [this] { return kind.make(seed); };
   options.K = options.K.resizedTo(160, 120);
   options.noise = false;
   options.color = false;
@@ -190,7 +190,7 @@ TEST_P(RandomSceneTest, ViewsAreNearAndShowManyInstances) {
 
 TEST(RandomScenes, PlaceEightToTwentyObjectsOnATable) {
   for (std::uint32_t seed = 1; seed <= 30; ++seed) {
-    const SyntheticScene scene = synthetic::makeRandomTabletopSet(seed).scene;
+    const SyntheticScene scene = synthetic::makeRandomTabletopScene(seed).scene;
     const Eigen::AlignedBox3d table = scene.boundsOf(scene.find("table"));
     int objects = 0;
     for (const InstanceName& instance : scene.instances()) {

@@ -8,17 +8,17 @@
 #include "core/fusion/color_projection.h"
 #include "core/synthetic/bumpy_shape.h"
 #include "core/synthetic/synthetic_source.h"
-#include "tests/support/film_sets.h"
+#include "tests/support/test_scenes.h"
 
 namespace scantrove {
 namespace {
 
-using MakeSet = synthetic::SceneRecipe (*)();
+using MakeScene = synthetic::SceneRecipe (*)();
 constexpr double kDegree = 3.14159265358979 / 180;
 
-SyntheticOptions exactOptions(MakeSet set) {
+SyntheticOptions exactOptions(MakeScene recipe) {
   SyntheticOptions options;
-  options.set = set;
+  options.recipe = recipe;
   options.K = options.K.resizedTo(160, 120);
   options.noise = false;
   options.color = false;
@@ -38,18 +38,18 @@ RgbdFrame frameAt(SyntheticOptions options, int index) {
   return read.frame;
 }
 
-synthetic::SceneRecipe makeRandomRoom() { return synthetic::makeRandomRoomSet(4); }
+synthetic::SceneRecipe makeRandomRoom() { return synthetic::makeRandomRoomScene(4); }
 
 synthetic::SceneRecipe makeBumpyRoom() {
-  synthetic::SceneRecipe set = makeRandomRoom();
-  set.scene = synthetic::makeBumpy(std::move(set.scene), 4);
-  return set;
+  synthetic::SceneRecipe recipe = makeRandomRoom();
+  recipe.scene = synthetic::makeBumpy(std::move(recipe.scene), 4);
+  return recipe;
 }
 
-class EverySceneTest : public testing::TestWithParam<MakeSet> {};
+class EverySceneTest : public testing::TestWithParam<MakeScene> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, EverySceneTest,
-                         testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet,
-                                         &test::makeLBlockSet, &test::makeChairFloorSet, &makeRandomRoom,
+                         testing::Values(&synthetic::makeTabletopScene, &synthetic::makeRoomScene,
+                                         &test::makeLBlockScene, &test::makeChairFloorScene, &makeRandomRoom,
                                          &makeBumpyRoom));
 
 TEST_P(EverySceneTest, DepthAndInstancesMatchTheGeometry) {
@@ -132,8 +132,8 @@ TEST_P(EverySceneTest, CameraMovesAtHandSpeed) {
 }
 
 TEST_P(EverySceneTest, NamesMatchTheMasks) {
-  const synthetic::SceneRecipe set = GetParam()();
-  const std::vector<InstanceName>& names = set.scene.instances();
+  const synthetic::SceneRecipe recipe = GetParam()();
+  const std::vector<InstanceName>& names = recipe.scene.instances();
   ASSERT_FALSE(names.empty());
   EXPECT_EQ(names.front().name, "floor");
   std::set<std::string> different;
@@ -144,9 +144,9 @@ TEST_P(EverySceneTest, NamesMatchTheMasks) {
   EXPECT_EQ(different.size(), names.size());
 }
 
-class DemoSceneTest : public testing::TestWithParam<MakeSet> {};
+class DemoSceneTest : public testing::TestWithParam<MakeScene> {};
 INSTANTIATE_TEST_SUITE_P(Demos, DemoSceneTest,
-                         testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet));
+                         testing::Values(&synthetic::makeTabletopScene, &synthetic::makeRoomScene));
 
 TEST_P(DemoSceneTest, ShowsAtLeastTwelveObjectsAndSeveralNonConvex) {
   SyntheticOptions options = exactOptions(GetParam());
@@ -190,9 +190,9 @@ std::vector<double> piecesOf(const RgbdFrame& frame, std::uint16_t instance) {
   return areas;
 }
 
-class ChairOnFloorTest : public testing::TestWithParam<MakeSet> {};
+class ChairOnFloorTest : public testing::TestWithParam<MakeScene> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, ChairOnFloorTest,
-                         testing::Values(&synthetic::makeRoomSet, &test::makeChairFloorSet));
+                         testing::Values(&synthetic::makeRoomScene, &test::makeChairFloorScene));
 
 TEST_P(ChairOnFloorTest, SplitsTheFloor_OnlyInFirstFrames) {
   SyntheticOptions options = exactOptions(GetParam());
@@ -209,7 +209,7 @@ TEST_P(ChairOnFloorTest, SplitsTheFloor_OnlyInFirstFrames) {
 }
 
 TEST(LBlock, ShowsItsConnectingSide_OnlyInLaterFrames) {
-  SyntheticOptions options = exactOptions(&test::makeLBlockSet);
+  SyntheticOptions options = exactOptions(&test::makeLBlockScene);
   options.stride = 1;
   const auto source = open(options);
   const std::uint16_t block = source->scene().find("L block");
@@ -237,7 +237,7 @@ TEST(LBlock, ShowsItsConnectingSide_OnlyInLaterFrames) {
 }
 
 TEST(SyntheticSource, ReturnsEqualFramesOnly_WhenSeedsAreEqual) {
-  SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
+  SyntheticOptions options = exactOptions(&synthetic::makeTabletopScene);
   options.noise = true;
   options.color = true;
   const RgbdFrame a = frameAt(options, 7);
@@ -253,7 +253,7 @@ TEST(SyntheticSource, ReturnsEqualFramesOnly_WhenSeedsAreEqual) {
 
 // A surface point has the same colour in both cameras.
 TEST(SyntheticSource, RendersColorFromItsCamera_WhenItIsSeparate) {
-  SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
+  SyntheticOptions options = exactOptions(&synthetic::makeTabletopScene);
   options.color = true;
   const RgbdFrame straight = frameAt(options, 30);
   EXPECT_FALSE(straight.color_camera);
@@ -294,7 +294,7 @@ TEST(SyntheticSource, RendersColorFromItsCamera_WhenItIsSeparate) {
 
 TEST(SyntheticSource, UsesTheSeed_WhenTheNameEndsInANumber) {
   SyntheticOptions options;
-  options.set = [] { return synthetic::makeRandomTabletopSet(7); };
+  options.recipe = [] { return synthetic::makeRandomTabletopScene(7); };
   options.seed = 7;
   const auto by_name = makeSyntheticSource("tabletop:7", {});
   ASSERT_TRUE(by_name) << by_name.error().message();
@@ -302,7 +302,7 @@ TEST(SyntheticSource, UsesTheSeed_WhenTheNameEndsInANumber) {
 }
 
 TEST(SyntheticSource, NoiseKeepsMostReadingsNearTheTruth) {
-  SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
+  SyntheticOptions options = exactOptions(&synthetic::makeTabletopScene);
   options.K = options.K.resizedTo(640, 480);
   const RgbdFrame exact = frameAt(options, 20);
   options.noise = true;

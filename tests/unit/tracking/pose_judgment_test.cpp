@@ -86,7 +86,7 @@ TEST(JudgePose, AcceptsNewSurfaces_InFrontOfKnownOnes) {
   EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::prediction), tracking);
   EXPECT_EQ(judged(half(17000, 16000), PoseOrigin::prediction), uncertain) << "a wrong pose looks the same";
   EXPECT_EQ(judged(half(0, 30000), PoseOrigin::prediction), uncertain) << "nothing is visible behind a wall";
-  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::place), uncertain) << "the camera was not tracked here";
+  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::key_frame), uncertain) << "the camera was not tracked here";
 }
 
 TEST(JudgePose, AcceptsLittleOverlap_WhenItIsFirm) {
@@ -106,8 +106,8 @@ TEST(JudgePose, AcceptsLittleOverlap_WhenItIsFirm) {
 TEST(JudgePose, NeedsMoreInliers_ForAKeyFrame) {
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 30000; });
   EXPECT_EQ(judged(half, PoseOrigin::landmarks), tracking);
-  EXPECT_EQ(judged(half, PoseOrigin::place), uncertain);
-  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::place), tracking);
+  EXPECT_EQ(judged(half, PoseOrigin::key_frame), uncertain);
+  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::key_frame), tracking);
 }
 
 }  // namespace

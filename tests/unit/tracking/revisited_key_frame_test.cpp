@@ -60,7 +60,7 @@ KeyFrames keyFramesWith(const ColorView& view, int others) {
   return key_frames;
 }
 
-TEST(ReturnedTo, MeasuresTheDrift) {
+TEST(RevisitedKeyFrame, MeasuresTheDrift) {
   const ColorView view = pictureOf(1, 200);
   const KeyFrames key_frames = keyFramesWith(view, 12);
   for (const double drift_m : {0.0, 0.05, 0.4}) {
@@ -71,7 +71,7 @@ TEST(ReturnedTo, MeasuresTheDrift) {
   }
 }
 
-TEST(ReturnedTo, FindsNothing_WhenTheDriftIsImplausible) {
+TEST(RevisitedKeyFrame, FindsNothing_WhenTheDriftIsImplausible) {
   const ColorView view = pictureOf(1, 200);
   const KeyFrames key_frames = keyFramesWith(view, 12);
   const double path_m = key_frames.distanceSince(key_frames.all().front());
@@ -81,13 +81,13 @@ TEST(ReturnedTo, FindsNothing_WhenTheDriftIsImplausible) {
   EXPECT_FALSE(findAt(key_frames, view, 9));
 }
 
-TEST(ReturnedTo, FindsNothing_WhenTheCameraHasJustLeft) {
+TEST(RevisitedKeyFrame, FindsNothing_WhenTheCameraHasJustLeft) {
   const ColorView view = pictureOf(1, 200);
   EXPECT_FALSE(findAt(keyFramesWith(view, 7), view, 0.4));
   EXPECT_TRUE(findAt(keyFramesWith(view, 8), view, 0.4));
 }
 
-TEST(ReturnedTo, FindsNothing_WithOtherOrFewFeatures) {
+TEST(RevisitedKeyFrame, FindsNothing_WithOtherOrFewFeatures) {
   EXPECT_FALSE(findAt(keyFramesWith(pictureOf(1, 200), 12), pictureOf(2, 200), 0.1));
   const ColorView poor = pictureOf(3, 45);
   EXPECT_FALSE(findAt(keyFramesWith(poor, 12), poor, 0.1));

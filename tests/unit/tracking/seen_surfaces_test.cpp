@@ -19,9 +19,9 @@ TEST(SeenSurfaces, AreDue_AtANewPoseOnly) {
 TEST(SeenSurfaces, FindAView_OnlyAfterTheCameraLeftIt) {
   SeenSurfaces seen;
   seen.add(pose(0, 0, 0, 0, 0, 0), {});
-  seen.markLeftExceptNear(pose(0, 5, 0, 0, 0, 0));
+  seen.markRevisitable(pose(0, 5, 0, 0, 0, 0));
   EXPECT_EQ(seen.nearestSeenAgain(pose(0, 0, 0, 0, 0, 0)), nullptr) << "the camera has not left it";
-  seen.markLeftExceptNear(pose(0, 60, 0, 0, 0, 0));
+  seen.markRevisitable(pose(0, 60, 0, 0, 0, 0));
   EXPECT_NE(seen.nearestSeenAgain(pose(0, 3, 0, 0, 0, 0)), nullptr);
   EXPECT_EQ(seen.nearestSeenAgain(pose(0, 8, 0, 0, 0, 0)), nullptr) << "another view";
 }
@@ -30,7 +30,7 @@ TEST(SeenSurfaces, FindTheNearestView) {
   SeenSurfaces seen;
   seen.add(pose(0, 0, 0, 0, 0, 0), {});
   seen.add(pose(0, 0, 0, 0.12, 0, 0), {});
-  seen.markLeftExceptNear(pose(0, 90, 0, 0, 0, 0));
+  seen.markRevisitable(pose(0, 90, 0, 0, 0, 0));
   const SeenSurfaces::View* again = seen.nearestSeenAgain(pose(0, 0, 0, 0.08, 0, 0));
   ASSERT_NE(again, nullptr);
   EXPECT_TRUE(again->T_world_camera.isApprox(pose(0, 0, 0, 0.12, 0, 0)));

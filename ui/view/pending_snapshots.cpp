@@ -1,4 +1,4 @@
-#include "ui/view/snapshot_arrivals.h"
+#include "ui/view/pending_snapshots.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,26 +14,26 @@ constexpr std::size_t kBricksAtATime = 64;
 
 }  // namespace
 
-void SnapshotArrivals::add(std::shared_ptr<const ScanSnapshot> snapshot) {
+void PendingSnapshots::add(std::shared_ptr<const ScanSnapshot> snapshot) {
   scene_.updateAllButBricks(*snapshot);
-  if (!snapshot->changed_bricks.empty()) waiting_.push_back({std::move(snapshot)});
+  if (!snapshot->changed_bricks.empty()) pending_.push_back({std::move(snapshot)});
 }
 
-bool SnapshotArrivals::transfer(double max_ms) {
+bool PendingSnapshots::transfer(double max_ms) {
   const auto start = std::chrono::steady_clock::now();
   const auto isOver = [&] {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() >
            max_ms;
   };
-  while (!waiting_.empty() && !isOver()) {
-    auto& [snapshot, next] = waiting_.front();
+  while (!pending_.empty() && !isOver()) {
+    auto& [snapshot, next] = pending_.front();
     const std::span<const CloudBrick> rest = std::span(snapshot->changed_bricks).subspan(next);
     const std::size_t count = std::min(kBricksAtATime, rest.size());
     scene_.updateBricks(rest.first(count));
     next += count;
-    if (count == rest.size()) waiting_.pop_front();
+    if (count == rest.size()) pending_.pop_front();
   }
-  return waiting_.empty();
+  return pending_.empty();
 }
 
 }  // namespace scantrove

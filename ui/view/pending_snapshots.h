@@ -11,23 +11,23 @@ class LabelCloudScene;
 
 /// Transfers snapshots into the scene: bricks a few at a time, everything else at once, so that opening a
 /// session does not block the window. Use from the window's thread.
-class SnapshotArrivals {
+class PendingSnapshots {
  public:
-  explicit SnapshotArrivals(LabelCloudScene& scene) : scene_(scene) {}
+  explicit PendingSnapshots(LabelCloudScene& scene) : scene_(scene) {}
 
   void add(std::shared_ptr<const ScanSnapshot> snapshot);
   /// Transfers bricks for about `max_ms`. True when all are transferred.
   bool transfer(double max_ms);
-  [[nodiscard]] bool isEmpty() const { return waiting_.empty(); }
-  void clear() { waiting_.clear(); }
+  [[nodiscard]] bool isEmpty() const { return pending_.empty(); }
+  void clear() { pending_.clear(); }
 
  private:
-  struct Arrival {
+  struct Pending {
     std::shared_ptr<const ScanSnapshot> snapshot;
     std::size_t next_brick = 0;
   };
   LabelCloudScene& scene_;
-  std::deque<Arrival> waiting_;
+  std::deque<Pending> pending_;
 };
 
 }  // namespace scantrove

@@ -14,7 +14,7 @@ namespace scantrove::test {
 /// An L-shaped block ("L block") in the middle of a table, with other objects at a distance. The first frames
 /// show it from the front: a foot and an upright that meet in a concave edge. Later frames show the L-shaped
 /// side, which connects both over rounded convex edges.
-inline synthetic::SceneRecipe makeLBlockSet() {
+inline synthetic::SceneRecipe makeLBlockScene() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
@@ -50,7 +50,7 @@ inline synthetic::SceneRecipe makeLBlockSet() {
 
 /// Floor, walls, a parcel, a basket, and a chair ("chair") that splits the floor in the first frames. Later
 /// frames show the floor around it in one piece.
-inline synthetic::SceneRecipe makeChairFloorSet() {
+inline synthetic::SceneRecipe makeChairFloorScene() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
@@ -81,7 +81,7 @@ inline synthetic::SceneRecipe makeChairFloorSet() {
 
 /// Seven books ("book 0" ... "book 6") in a row on a table, 2.5 to 4.5 cm thick, spines towards the camera,
 /// which moves along them at 1 m.
-inline synthetic::SceneRecipe makeBookRowSet() {
+inline synthetic::SceneRecipe makeBookRowScene() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);

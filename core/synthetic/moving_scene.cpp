@@ -98,14 +98,14 @@ bool buildStage(HashStream& random, Stage& stage) {
   return true;
 }
 
-void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& set) {
+void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& recipe) {
   // Past the table and back.
   const double speed = random.uniform(0.6, 0.75);
   const double way_s = 2 * kOutOfSight_m / speed;
   const double first_s = random.uniform(0.8, 1.4);
   const double back_s = std::max(first_s + way_s, 14 - way_s - random.uniform(1.2, 1.6));
   const Vec3 here(-stage.side * kOutOfSight_m, 0, 0);
-  addPerson(random, set, kLane_m,
+  addPerson(random, recipe, kLane_m,
             {{first_s, here}, {first_s + way_s, -here}, {back_s, -here}, {back_s + way_s, here}});
 
   const double take_s = random.uniform(5.0, 5.8);
@@ -113,7 +113,7 @@ void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& set) {
   const Vec3 lifted(0, 0, kMugHeld_m + kMugLifted_m);
   const Vec3 beside(-stage.side * 0.085, 0, 0);  // the hand holds the mug's side
   const Vec3 away = stage.mug_from + Vec3(-stage.side * 1.6, 0, 0.35);
-  addArm(random, set, -stage.side,
+  addArm(random, recipe, -stage.side,
          {{take_s - 1.2, away},
           {take_s, stage.mug_from + held + beside},
           {take_s + 0.2, stage.mug_from + held + beside},
@@ -134,41 +134,42 @@ void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& set) {
     return
         [way](double time_s) { return Eigen::Isometry3d(Eigen::Translation3d(alongWaypoints(way, time_s))); };
   };
-  set.animated_parts.push_back({stage.mug, stage.mug_parts, goes(mug_way)});
-  set.animated_parts.push_back({stage.chair, stage.chair_parts, goes(chair_way)});
+  recipe.animated_parts.push_back({stage.mug, stage.mug_parts, goes(mug_way)});
+  recipe.animated_parts.push_back({stage.chair, stage.chair_parts, goes(chair_way)});
 }
 
 /// In front of the person's lane, over the table: from the chair to the other side and back.
 CameraPath makePathOverTable(HashStream& random, double side) {
   const double away = random.uniform(-1.4, -1.3);
   const double height = random.uniform(1.2, 1.35);
-  const double look = random.uniform(0.55, 0.68);
+  const double gaze_height = random.uniform(0.55, 0.68);
   const double phase = random.uniform(0, 2 * std::numbers::pi);
   return [=](double time_s) -> Gaze {
     const double turn = 2 * std::numbers::pi * time_s * 30 / kMovingFrames;
     const double along = side * 0.5 * std::cos(turn);
     const double wave = std::sin(2 * turn + phase);
     return {{along, away + 0.05 * wave, height + 0.05 * std::cos(2 * turn + phase)},
-            {0.75 * along, 0.2, look + 0.03 * wave}};
+            {0.75 * along, 0.2, gaze_height + 0.03 * wave}};
   };
 }
 
 }  // namespace
 
-SceneRecipe makeRandomMovingSet(std::uint32_t seed) {
-  SceneRecipe set{.name = "moving " + std::to_string(seed), .scene = {}, .path = {}, .frames = kMovingFrames};
+SceneRecipe makeRandomMovingScene(std::uint32_t seed) {
+  SceneRecipe recipe{
+      .name = "moving " + std::to_string(seed), .scene = {}, .path = {}, .frames = kMovingFrames};
   for (std::uint32_t room = 0; room < kRoomsToTry; ++room) {
     HashStream random(seed, 3000 + room);
     Stage stage;
     if (!buildStage(random, stage)) continue;
-    set.scene = std::move(stage.layout.scene);
-    setInMotion(random, stage, set);
-    set.path = makePathOverTable(random, stage.side);
+    recipe.scene = std::move(stage.layout.scene);
+    setInMotion(random, stage, recipe);
+    recipe.path = makePathOverTable(random, stage.side);
     break;
   }
-  set.lit_center = {0, 0.3, 0.4};
-  set.lit_radius_m = 2.6;
-  return set;
+  recipe.lit_center = {0, 0.3, 0.4};
+  recipe.lit_radius_m = 2.6;
+  return recipe;
 }
 
 }  // namespace scantrove::synthetic
