@@ -8,6 +8,7 @@
 
 #include "core/base/checksum.h"
 #include "core/base/regular_file.h"
+#include "core/capture/open_input.h"
 #include "core/exchange/atomic_file.h"
 #include "core/session/key_frame_files.h"
 
@@ -21,10 +22,6 @@ std::uint32_t crcOfBytes(const std::string& bytes) { return crc32Of({bytes.data(
 
 std::string countOf(std::size_t images) {
   return std::to_string(images) + (images == 1 ? " image" : " images");
-}
-
-bool isCamera(const std::string& source) {
-  return source.starts_with("camera") || source.starts_with("freenect");
 }
 
 }  // namespace
@@ -120,7 +117,7 @@ Result<void> FinalLabelImages::drawFrom(const SavedRecording& recording, const s
   const auto note = [&](std::string obstacle) {
     if (obstacle_.empty()) obstacle_ = std::move(obstacle);
   };
-  if (isCamera(recording.source)) {
+  if (isCameraName(recording.source)) {
     note("only key frames of a camera are kept");
     return {};
   }

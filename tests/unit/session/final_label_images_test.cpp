@@ -181,6 +181,26 @@ TEST_F(FinalLabelImagesTest, StartsNoCamera_WhenTheSourceIsACamera) {
   EXPECT_THAT(remarks(), HasSubstr("only key frames of a camera"));
 }
 
+TEST_F(FinalLabelImagesTest, OpensTheRecording_WhenItsFolderIsNamedLikeACamera) {
+  for (const char* folder : {"camera-1", "cameras/desk", "freenect_desk"}) {
+    earlier_.recordings[0].source = folder;
+    std::vector<std::string> opened;
+    FinalLabelImages images(folder_.path(), [&](const std::string& source) {
+      opened.push_back(source);
+      return openRecording(kRecording);
+    });
+    images.begin(earlier_);
+    RegionNumbers numbers;
+    const auto store = [this](const FinalLabelRecord& record) -> Result<void> {
+      setRecord(record);
+      return {};
+    };
+    ASSERT_TRUE(images.redraw({}, numbers, mapOfRegion(7), store));
+    EXPECT_EQ(opened, (std::vector<std::string>{folder}));
+    EXPECT_TRUE(images.remarks().empty()) << folder;
+  }
+}
+
 TEST_F(FinalLabelImagesTest, RedrawsAllImages_WhenTheLastRunWasKilled) {
   FinalLabelRecord record = finalLabelsFrom(earlier_.metadata);
   ASSERT_EQ(record.size(), static_cast<std::size_t>(kRecorded));
