@@ -2,6 +2,7 @@
 
 #include "app/catalogue_evaluation.h"
 #include "app/command.h"
+#include "app/image_evaluation.h"
 #include "app/json_output.h"
 #include "app/number_check.h"
 #include "app/segmentation_evaluation.h"
@@ -18,6 +19,7 @@ struct EvaluateCommand {
   std::string scan, database;
   int delta_frames = 1;
   SegmentationMetricOptions metrics;
+  ImageEvaluation images;
 };
 
 Json toJson(const ErrorSummary& summary) {
@@ -114,7 +116,11 @@ void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& c
       "a scan with --label-maps. over_frames lists the first 20 merged frames, as fig. 4.9 of the thesis:\n"
       "n is the number of frames merged so far, including that one; lost and skipped frames do not count.\n"
       "Both segmentations use the surface fused from the same n frames.\n"
-      "A scan gives one image per n. Repeat --scan and --truth to average over several scans.",
+      "A scan gives one image per n. Repeat --scan and --truth to average over several scans.\n"
+      "average_precision judges the final regions as instances, without classes, by ScanNet's rules: mean\n"
+      "over the thresholds 0.50 to 0.90 of intersection over union, at 0.50, and at 0.25. It counts points\n"
+      "of the scan's cloud.ply. A scan stores no confidence of its regions, so that larger ones rank first.\n"
+      "Left out unless the scan has its cloud, and the truth is a recording with depth.",
       command, job, evaluateSegmentations, checkSegmentationArguments);
   sub->add_option("--estimate", command->estimate, "a folder of label PNGs")->type_name("DIR");
   addFolders(*sub, "--scan", command->scans, "results of a scan with --label-maps; may be repeated");
@@ -157,6 +163,25 @@ void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& comm
       ->type_name("FILE");
 }
 
+void addImages(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command, CommandJob& job) {
+  CLI::App* sub =
+      addEvaluation(parent, "images",
+                    "Coverage of the objects in single photographs with depth, each scanned alone.\n"
+                    "The folder holds NAME-color.png (or .jpg), NAME-depth.png in mm, and NAME-label.png.\n"
+                    "coverage: mean over the objects of the best intersection over union with a region.\n"
+                    "over_half: share of the objects that one region covers by more than half.\n"
+                    "Objects of more than 2500 pixels at 640 x 480 are large.",
+                    command, job, [](const EvaluateCommand& all) { return evaluateImages(all.images); });
+  sub->add_option("folder", command->images.folder, "the images")->required()->type_name("DIR");
+  sub->add_option("--set", command->images.settings, "a parameter: KEY=VALUE; may be given several times")
+      ->type_name("KEY=VALUE");
+  sub->add_option("--device", command->images.device, "OpenCL device, by a part of its name")
+      ->type_name("NAME");
+  sub->add_option("--out", command->images.output, "an existing folder for NAME-labels.png")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("DIR");
+}
+
 }  // namespace
 
 void addEvaluateCommand(CLI::App& app, CommandJob& job) {
@@ -166,6 +191,7 @@ void addEvaluateCommand(CLI::App& app, CommandJob& job) {
   addTrajectory(*evaluate, command, job);
   addSegmentation(*evaluate, command, job);
   addCatalogue(*evaluate, command, job);
+  addImages(*evaluate, command, job);
 }
 
 }  // namespace scantrove

@@ -1,9 +1,12 @@
 #include "app/segmentation_evaluation.h"
 
 #include <array>
+#include <optional>
 
 #include "app/json_output.h"
 #include "app/label_images.h"
+#include "app/map_instances.h"
+#include "core/evaluation/average_precision.h"
 #include "core/exchange/label_image_writer.h"
 
 namespace scantrove {
@@ -86,6 +89,29 @@ SegmentationMetrics meanOf(const std::vector<JudgedFrame>& frames, Labels kind) 
   return averaged(all);
 }
 
+/// Null without a value.
+Json toJson(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json toJson(const AveragePrecision& precision) {
+  return {{"ap", toJson(precision.ap)},
+          {"ap50", toJson(precision.ap50)},
+          {"ap25", toJson(precision.ap25)},
+          {"instances", precision.instances},
+          {"predictions", precision.predictions}};
+}
+
+/// Null unless every scan has a cloud and truth with depth.
+Result<Json> averagePrecisionOf(const std::vector<JudgedScan>& scans) {
+  std::vector<PointInstances> scenes;
+  for (const JudgedScan& scan : scans) {
+    auto scene = readMapInstances(scan.scan, scan.truth);
+    if (!scene) return fail(scene.error());
+    if (!*scene) return Json();
+    scenes.push_back(std::move(**scene));
+  }
+  return toJson(averagePrecision(scenes));
+}
+
 /// Null if `to` is 0.
 Json ratio(double of, double to) { return to > 0 ? Json(of / to) : Json(); }
 
@@ -140,13 +166,17 @@ Result<Json> evaluateScans(const std::vector<JudgedScan>& scans, const Segmentat
   const SegmentationMetrics alone = meanOf(frames, kSingle);
   const SegmentationMetrics together = meanOf(frames, kMerged);
   const SegmentationMetrics at_end = meanOf(frames, kFinal);
-  return Json{{"images", frames.size()},
-              {"single", toJson(alone)},
-              {"merged", toJson(together)},
-              {"final", toJson(at_end)},
-              {"ratio", ratio(together.boundary_error, alone.boundary_error)},
-              {"ratio_final", ratio(at_end.boundary_error, alone.boundary_error)},
-              {"over_frames", seriesOverFrames(frames)}};
+  const Result<Json> precision = averagePrecisionOf(scans);
+  if (!precision) return fail(precision.error());
+  Json json{{"images", frames.size()},
+            {"single", toJson(alone)},
+            {"merged", toJson(together)},
+            {"final", toJson(at_end)},
+            {"ratio", ratio(together.boundary_error, alone.boundary_error)},
+            {"ratio_final", ratio(at_end.boundary_error, alone.boundary_error)}};
+  if (!precision->is_null()) json["average_precision"] = *precision;
+  json["over_frames"] = seriesOverFrames(frames);
+  return json;
 }
 
 }  // namespace scantrove

@@ -21,6 +21,7 @@ struct JudgedScan {
 
 /// Metrics over all frames with ground truth: of single frames, of regions as known at each frame, and of
 /// regions at the end of the scan. Also single and merged by the number of merged frames (thesis fig. 4.9).
+/// Average precision of the final regions as instances, if all scans have a cloud and truth with depth.
 [[nodiscard]] Result<nlohmann::ordered_json> evaluateScans(const std::vector<JudgedScan>& scans,
                                                            const SegmentationMetricOptions& options);
 

@@ -18,26 +18,6 @@ namespace fs = std::filesystem;
 constexpr int kFramesApart = 10;    // between frames used to measure sizes
 constexpr int kPointsAFrame = 400;  // approximate maximum per object and frame
 
-/// Fills names, objects and given extents. False: the file does not exist.
-Result<bool> readInstances(const fs::path& file, TrueScene& scene) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return false;
-  const Result<std::string> text = readFile(file);
-  if (!text) return fail(text.error());
-  try {
-    for (const nlohmann::json& instance : nlohmann::json::parse(*text)) {
-      const int id = instance.at("id").get<int>();
-      scene.names[id] = instance.at("name").get<std::string>();
-      if (instance.at("object").get<bool>()) scene.objects[id].extent_m = instance.value("extent_m", 0.0);
-    }
-  } catch (const nlohmann::json::exception& exception) {
-    return fail(
-        file.string() + " is not a list of instances: " + exception.what() + ".",
-        R"(It is a list of {"id": 7, "name": "mug", "object": true}, as 'scantrove record' writes it.)");
-  }
-  return true;
-}
-
 void addPoints(const RgbdFrame& frame, const Intrinsics& K, const cv::Mat& instances,
                std::map<int, std::vector<Eigen::Vector3f>>& points) {
   std::map<int, int> areas;
@@ -92,6 +72,25 @@ Result<void> measureExtents(const fs::path& folder, TrueScene& scene) {
 
 }  // namespace
 
+Result<bool> readInstanceList(const fs::path& file, TrueScene& scene) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return false;
+  const Result<std::string> text = readFile(file);
+  if (!text) return fail(text.error());
+  try {
+    for (const nlohmann::json& instance : nlohmann::json::parse(*text)) {
+      const int id = instance.at("id").get<int>();
+      scene.names[id] = instance.at("name").get<std::string>();
+      if (instance.at("object").get<bool>()) scene.objects[id].extent_m = instance.value("extent_m", 0.0);
+    }
+  } catch (const nlohmann::json::exception& exception) {
+    return fail(
+        file.string() + " is not a list of instances: " + exception.what() + ".",
+        R"(It is a list of {"id": 7, "name": "mug", "object": true}, as 'scantrove record' writes it.)");
+  }
+  return true;
+}
+
 Result<TrueScene> readTrueScene(const fs::path& folder, const std::function<bool(long)>& isScanned) {
   TrueScene scene;
   SCANTROVE_TRY(moveInto(scene.images, numberedImages(folder)));
@@ -100,7 +99,7 @@ Result<TrueScene> readTrueScene(const fs::path& folder, const std::function<bool
     return fail("No instance image in " + folder.string() + " belongs to a frame of the scan.",
                 "Give the truth of the recording that was scanned.");
   }
-  const Result<bool> listed = readInstances(folder / "instances.json", scene);
+  const Result<bool> listed = readInstanceList(folder / "instances.json", scene);
   if (!listed) return fail(listed.error());
   for (const auto& [number, path] : scene.images) {
     const auto instances = readLabelImage(path);

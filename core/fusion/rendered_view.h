@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -20,6 +21,8 @@ struct RenderedView {
   std::vector<Eigen::Vector4f> normals_world{};   ///< N_t: (x, y, z, 1) unit, towards the camera; all 0: none
   std::vector<FragmentId> fragments{};            ///< of the surface; none: unlabelled
   std::vector<RegionId> regions{};                ///< of the fragments; none: unlabelled
+  /// 1: the vertex is estimated, because no depth image shows the surface (EstimatedLabels); empty: none is.
+  std::vector<std::uint8_t> is_estimated{};
 
   /// Depth of the vertices, 0: no surface. An empty image without vertices.
   [[nodiscard]] DepthView depth() const;

@@ -20,6 +20,13 @@ inline constexpr float kOcclusionStep_m = 0.03F;
 /// Beyond this depth the step grows in proportion to depth, as pixels do.
 inline constexpr float kOcclusionStepGrowsFrom_m = 1.5F;
 
+/// d_max of thesis eq. 3.5: neighbouring pixels whose points are farther apart belong to surfaces that do not
+/// touch. Metres, for a depth of `z_m`.
+[[nodiscard]] inline float maxNeighborDistance(float z_m, float focal_px) {
+  constexpr float kFactor = 3, kMin_m = 0.01F;
+  return std::max(kFactor * z_m / focal_px, kMin_m);
+}
+
 enum class DepthStep { nearer, level, deeper };
 
 /// Compares the depth beyond a step, `z_beyond`, with that before it, `z`; metres.

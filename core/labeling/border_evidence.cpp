@@ -28,6 +28,9 @@ constexpr float kSureAttachment = 12;  // observations until it is certain
 constexpr float kDenied = 2;           // observations that one denial cancels
 /// This many observations do not count, because nothing can deny the attachment once the two are one region.
 constexpr float kFirstAttached = 3;
+/// Weight of an outline on a support, reached after kSureOutline observations.
+constexpr float kOutline = 6;
+constexpr float kSureOutline = 3;
 constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this an observation counts less than half
 
 float weightOf(const FragmentContact& contact) {
@@ -89,10 +92,12 @@ float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
 
 void BorderEvidence::addAppearance(bool together) { count(together, appeared_together, appeared_apart); }
 
+void BorderEvidence::addOutline(bool is_outlined) { count(is_outlined, outlined, unoutlined); }
+
 void BorderEvidence::addAttachment(bool is_attached) { count(is_attached, attached, unattached); }
 
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
-  return weightOfObservations(voxels_a, voxels_b, bias, joined) + weightOfAppearance() +
+  return weightOfObservations(voxels_a, voxels_b, bias, joined) + weightOfAppearance() + weightOfOutline() +
          kAttachment * std::max(0.0F, attached - kDenied * unattached - kFirstAttached) /
              std::max(kSureAttachment, attached + unattached);
 }
@@ -102,6 +107,11 @@ float BorderEvidence::weightOfAppearance() const {
   const float means = std::copysign(std::max(0.0F, std::abs(more) - kFirstAppearance), more);
   return kAppearanceWeight * means /
          std::max(kSureAppearance, appeared_together + appeared_apart - kFirstAppearance);
+}
+
+float BorderEvidence::weightOfOutline() const {
+  const float more = outlined - unoutlined;
+  return more > 0 ? -kOutline * more / std::max(kSureOutline, outlined + unoutlined) : 0;
 }
 
 float BorderEvidence::weightOfObservations(int voxels_a, int voxels_b, float bias, bool joined) const {

@@ -24,6 +24,9 @@ struct BorderEvidence {
   float appeared_apart = 0;  ///< observations with only one in an appeared object, at most kMaxObservations
   float attached = 0;        ///< observations with a positive Attachment, at most kMaxObservations
   float unattached = 0;      ///< observations with a negative Attachment, at most kMaxObservations
+  float outlined =
+      0;  ///< observations with one side on a support that is the other, at most kMaxObservations
+  float unoutlined = 0;  ///< other observations, at most kMaxObservations
   Constraint constraint = Constraint::none;
   bool by_person = false;    ///< a person set the constraint: it overrides those of the program
   int constraint_order = 0;  ///< higher: set later
@@ -40,6 +43,9 @@ struct BorderEvidence {
   /// Adds one Attachment observation.
   void addAttachment(bool is_attached);
 
+  /// Adds one observation of the frame's supports: one side is a support and the other lies on it, or not.
+  void addOutline(bool is_outlined);
+
   /// Log-odds that both belong to one object, from the border model (resources/models, border_features.h). A
   /// constant is subtracted, because small objects suffer more from a wrong join than from a missed one.
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
@@ -53,6 +59,7 @@ struct BorderEvidence {
  private:
   [[nodiscard]] float weightOfObservations(int voxels_a, int voxels_b, float bias, bool joined) const;
   [[nodiscard]] float weightOfAppearance() const;
+  [[nodiscard]] float weightOfOutline() const;
 };
 
 }  // namespace scantrove

@@ -9,10 +9,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kDistanceFactor = 3;     // d_max of eq. 3.5: factor * z / f ...
-constexpr float kMinDistance_m = 0.01F;  // ... but at least this, for each step
-constexpr int kLongestStep_px = 3;       // over pixels without fragment
-constexpr float kBendGap = 4;            // times d_max: normals farther apart belong to another surface
+constexpr int kLongestStep_px = 3;  // over pixels without fragment
+constexpr float kBendGap = 4;       // times d_max: normals farther apart belong to another surface
 
 struct Step {
   float length_m, depth_m, concavity_rad, step_m;
@@ -104,7 +102,7 @@ class StepFinder {
     const Eigen::Vector4f& to = input_.view.vertices_world[there];
     if (!(from.w() > 0) || !(to.w() > 0)) return;
     const float z = input_.segments.depths_m[here];
-    const float reach_m = std::max(kDistanceFactor * z / focal_px_, kMinDistance_m);
+    const float reach_m = maxNeighborDistance(z, focal_px_);
     if (!(z > 0) || !((to - from).squaredNorm() < std::pow(reach_m * static_cast<float>(length), 2.0F)))
       return;
     Step step{z / focal_px_, z, 0, stepBetween(here, there), false, false, Eigen::Vector3f::Zero()};

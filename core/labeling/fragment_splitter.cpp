@@ -64,6 +64,7 @@ std::vector<FragmentSplitter::Split> FragmentSplitter::find(const MergeInput& in
   for (std::size_t pixel = 0; pixel < parts.size(); ++pixel) {
     const std::uint32_t segment = input.segments.ids[pixel];
     if (!is_side[segment] || input.view.fragments[pixel] != owner[segment]) continue;
+    if (!input.view.is_estimated.empty() && input.view.is_estimated[pixel] != 0) continue;
     parts[pixel] = FragmentId{segment};
     Side& side = sides[segment];
     side.sum += input.view.vertices_world[pixel].head<3>();

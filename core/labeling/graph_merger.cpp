@@ -7,6 +7,7 @@
 
 #include "core/labeling/attachments.h"
 #include "core/labeling/fragment_contacts.h"
+#include "core/labeling/label_smoothing.h"
 #include "core/labeling/region_partition.h"
 #include "core/labeling/small_fragment_pieces.h"
 #include "core/labeling/thesis_merger.h"
@@ -39,6 +40,14 @@ class SegmentShares {
     }
   }
 
+  /// The segment that holds most of a fragment's visible part; 0: none holds over half.
+  [[nodiscard]] std::uint32_t mainSegment(FragmentId fragment) const {
+    constexpr float kMain = 0.5F;
+    for (const Share& share : shares_[index_.at(fragment)])
+      if (share.part > kMain) return share.segment;
+    return 0;
+  }
+
   /// The part of both fragments that lies in the same segments: sum over segments of the smaller share.
   [[nodiscard]] float shared(FragmentId a, FragmentId b) const {
     const auto& of_a = shares_[index_.at(a)];
@@ -64,6 +73,19 @@ class SegmentShares {
   std::unordered_map<FragmentId, std::size_t> index_;
   std::vector<std::vector<Share>> shares_;  // of each fragment, by segment
 };
+
+/// True if one of the two is a support and the other lies on it; false if both lie in one segment that is, or
+/// lies on, a support; none if the frame's supports say nothing.
+std::optional<bool> areOutlined(const SegmentMap& segments, const SegmentShares& shares,
+                                const FragmentContact& contact) {
+  using Kind = SegmentRole::Kind;
+  const std::uint32_t segment_a = shares.mainSegment(contact.a), segment_b = shares.mainSegment(contact.b);
+  const SegmentRole a = segments.roleOf(segment_a), b = segments.roleOf(segment_b);
+  if (a.kind == Kind::free || b.kind == Kind::free) return std::nullopt;
+  if (segment_a == segment_b) return false;
+  if (a.support == b.support && a.kind != b.kind) return true;
+  return std::nullopt;
+}
 
 /// The fragments in this frame's view that belong to appeared objects.
 class AppearedFragments {
@@ -141,12 +163,17 @@ SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
 void GraphMerger::addEvidence(const MergeInput& input, const Overlaps& overlaps) {
   const SegmentShares shares(overlaps);
   const AppearedFragments arrived(input);
-  const std::vector<FragmentId> parts = withoutSmallPieces(input.view.fragments, input.view.K.width,
-                                                           input.view.K.pixels() / kSmallPiecesInImage);
+  std::vector<FragmentId> parts = withoutSmallPieces(input.view.fragments, input.view.K.width,
+                                                     input.view.K.pixels() / kSmallPiecesInImage);
+  // Estimated surface has no shape that could tell about a border.
+  for (std::size_t pixel = 0; pixel < input.view.is_estimated.size(); ++pixel)
+    if (input.view.is_estimated[pixel] != 0) parts[pixel] = {};
   for (const FragmentContact& contact : findContacts(input, parts)) {
     BorderEvidence& border = graph_.between(contact.a, contact.b);
     border.add(contact, shares.shared(contact.a, contact.b));
     if (const auto are_one = arrived.areOne(contact.a, contact.b)) border.addAppearance(*are_one);
+    if (const auto is_outlined = areOutlined(input.segments, shares, contact))
+      border.addOutline(*is_outlined);
     touched_.push_back(contact.a);
     touched_.push_back(contact.b);
   }
@@ -180,12 +207,15 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
     const FragmentId owner = owners.owner[segment];
     if (owner && !owners.covers(segment, fragment)) fragment = owner;
     if (split_from_[segment] && split_from_[segment] == fragment) fragment = split_off_[segment];
-    const RegionId region = table.regionOf(fragment);
     for (; pixel < projected_in.size() && projected_in[pixel] == projected && segments.ids[pixel] == segment;
-         ++pixel) {
+         ++pixel)
       outcome.fragments[pixel] = fragment;
+  }
+  removeSpecks(input.view, outcome.fragments);
+  for (std::size_t first = 0, pixel = 0; first < outcome.fragments.size(); first = pixel) {
+    const RegionId region = table.regionOf(outcome.fragments[first]);
+    for (; pixel < outcome.fragments.size() && outcome.fragments[pixel] == outcome.fragments[first]; ++pixel)
       outcome.regions[pixel] = region;
-    }
   }
   attachParts(input, outcome, table);
   return outcome;

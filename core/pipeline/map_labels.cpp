@@ -8,6 +8,7 @@ namespace scantrove {
 MapLabels::MapLabels(BrickMap& bricks, std::unique_ptr<LabelCloud> cloud, const Setup& setup)
     : bricks_(bricks),
       cloud_(std::move(cloud)),
+      estimated_(bricks.voxelSize()),
       merger_(makeRegionMerger(setup.rule)),
       editable_(*cloud_, bricks, setup.truncation_vox) {
   editor_.emplace(table_, *merger_, editable_);
@@ -24,8 +25,8 @@ RegionMerger::Outcome MapLabels::merge(const SegmentMap& segments, const Rendere
                                        std::span<const Eigen::Vector3f> color_lab,
                                        std::span<const std::uint8_t> newly_appeared,
                                        const LabelingParams& params) {
-  return merger_->merge({segments, view, color_lab, cloud_->voxelsOfFragments(), newly_appeared}, table_,
-                        params);
+  const std::vector<int> voxels = sizesOfFragments();
+  return merger_->merge({segments, view, color_lab, voxels, newly_appeared}, table_, params);
 }
 
 std::span<const Eigen::Vector3i> MapLabels::update(const SurfaceMaps& surface,
@@ -40,13 +41,21 @@ std::span<const Eigen::Vector3i> MapLabels::update(const SurfaceMaps& surface,
 }
 
 void MapLabels::forgetFragments() {
-  const std::vector<cl_int>& voxels = cloud_->voxelsOfFragments();
+  const std::vector<int> voxels = sizesOfFragments();
   for (std::uint32_t fragment = 1; fragment < table_.regions().size(); ++fragment) {
     if (!table_.regions()[fragment] || (fragment < voxels.size() && voxels[fragment] > 0)) continue;
     merger_->forget(FragmentId{fragment});
     editor_->forget(FragmentId{fragment});
     table_.free(FragmentId{fragment});
   }
+}
+
+std::vector<int> MapLabels::sizesOfFragments() const {
+  std::vector<int> sizes = cloud_->voxelsOfFragments();
+  const std::vector<int>& cells = estimated_.cellsOfFragments();
+  if (sizes.size() < cells.size()) sizes.resize(cells.size(), 0);
+  for (std::size_t fragment = 0; fragment < cells.size(); ++fragment) sizes[fragment] += cells[fragment];
+  return sizes;
 }
 
 float MapLabels::joiningOdds(RegionId a, RegionId b, const RegionTable& table,

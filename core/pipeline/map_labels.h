@@ -9,6 +9,7 @@
 #include "core/discovery/region_set.h"
 #include "core/editing/region_editor.h"
 #include "core/fusion/rendered_view.h"
+#include "core/labeling/estimated_labels.h"
 #include "core/labeling/label_cloud.h"
 #include "core/labeling/observation_recorder.h"
 #include "core/labeling/region_merger.h"
@@ -33,6 +34,8 @@ class MapLabels {
   [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface) {
     return cloud_->project(surface, bricks_);
   }
+  /// Adds the estimated surface to a view of the map with its fragments.
+  void projectEstimated(RenderedView& view) const { estimated_.project(view); }
   /// Merges a frame's segments with the regions.
   [[nodiscard]] RegionMerger::Outcome merge(const SegmentMap& segments, const RenderedView& view,
                                             std::span<const Eigen::Vector3f> color_lab,
@@ -42,6 +45,9 @@ class MapLabels {
   /// the next call.
   std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, const RegionMerger::Outcome& merged,
                                           const LabelingParams& params);
+  /// Writes the merged fragments of a view's estimated surface, and removes what its measured surface
+  /// contradicts.
+  void updateEstimated(const RenderedView& view) { estimated_.update(view, view.fragments); }
   /// Updates the evidence about where the frame's regions are seen.
   void recordDirections(const RenderedView& view) { directions_.record(view, table_); }
 
@@ -69,9 +75,12 @@ class MapLabels {
   MapLabels(BrickMap& bricks, std::unique_ptr<LabelCloud> cloud, const Setup& setup);
   /// Deletes fragments without voxels; their numbers are used again.
   void forgetFragments();
+  /// Voxels and estimated cells of each fragment.
+  [[nodiscard]] std::vector<int> sizesOfFragments() const;
 
   BrickMap& bricks_;
   std::unique_ptr<LabelCloud> cloud_;
+  EstimatedLabels estimated_;
   RegionTable table_;
   std::unique_ptr<RegionMerger> merger_;
   ObservationRecorder directions_;

@@ -34,6 +34,7 @@ RenderedView MapReadout::render(const Eigen::Isometry3d& T_world_camera, const I
   fusion_.map().raycast(T_world_camera, K, surface);
   RenderedView view = readView(compute_, surface);
   view.fragments = labels_.project(surface);
+  labels_.projectEstimated(view);
   setRegions(view, labels_.table());
   return view;
 }

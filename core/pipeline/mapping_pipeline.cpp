@@ -10,6 +10,7 @@
 #include "core/discovery/rule_based_finder.h"
 #include "core/fusion/color_projection.h"
 #include "core/pipeline/map_memory.h"
+#include "core/segmentation/supported_segments.h"
 
 namespace scantrove {
 
@@ -98,6 +99,11 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   tracking_->beginNext(next);
   result.segments = timer_.time("segment", [&] { return segments.get(); });
   result.observed = timer_.time("color", [&] { return observed.get(); });
+  timer_.time("support", [&] {
+    labels_->projectEstimated(result.view);
+    segmentOnSupports(result.observed.color_lab, K, result.segments);
+    addEstimatedSurface(result.segments, result.view);
+  });
 
   const std::span<const std::uint8_t> newly_appeared = fusion_->newlyAppeared();
   RegionMerger::Outcome merged = timer_.time("merge", [&] {
@@ -107,6 +113,7 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   touched_ = timer_.time("update", [&] { return labels_->update(surface, merged, params_.labeling); });
   result.view.fragments = std::move(merged.fragments);
   result.view.regions = std::move(merged.regions);
+  labels_->updateEstimated(result.view);
   result.region_events = std::move(merged.events);
   timer_.time("discover", [&] {
     labels_->recordDirections(result.view);
@@ -170,11 +177,15 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
                                                     const Eigen::Isometry3d& T_world_camera) {
   const auto segment = [&]() -> Result<RegionEvents> {
     if (params_.labeling.rule != LabelingParams::Rule::graph) return RegionEvents{};
-    const FrameResult seen = observe(frame, T_world_camera);
-    const SegmentMap segments = segmenter_->segment(observed_, params_.segmentation);
+    FrameResult seen = observe(frame, T_world_camera);
+    SegmentMap segments = segmenter_->segment(observed_, params_.segmentation);
+    segmentOnSupports(seen.observed.color_lab, seen.view.K, segments);
+    addEstimatedSurface(segments, seen.view);
     RegionMerger::Outcome merged =
         labels_->merge(segments, seen.view, seen.observed.color_lab, {}, params_.labeling);
     labels_->update(observed_, merged, params_.labeling);
+    seen.view.fragments = std::move(merged.fragments);
+    labels_->updateEstimated(seen.view);
     applyRegionEvents(merged.events);
     return std::move(merged.events);
   };

@@ -10,9 +10,9 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kEvidenceFloats = 21;
-/// Earlier versions lacked arrivals, attachments, steps, mean colours and shared colours.
-constexpr std::array<std::size_t, 4> kFewerFloats{10, 12, 14, 17};
+constexpr std::size_t kEvidenceFloats = 23;
+/// Earlier versions lacked arrivals, attachments, steps, mean colours, shared colours and outlines.
+constexpr std::array<std::size_t, 5> kFewerFloats{10, 12, 14, 17, 21};
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();  // value of an unseen colour
 constexpr float kNoMore = 0;                                        // value of former evidence
 static_assert(std::endian::native == std::endian::little);
@@ -42,7 +42,9 @@ QByteArray evidenceToBytes(const BorderEvidence& e) {
                                                   colors.shared,
                                                   colors.shared_chroma,
                                                   colors.elsewhere,
-                                                  colors.variety};
+                                                  colors.variety,
+                                                  e.outlined,
+                                                  e.unoutlined};
   return {reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(sizeof(values))};
 }
 
@@ -80,6 +82,8 @@ std::optional<BorderEvidence> evidenceFromBytes(const QByteArray& bytes) {
   if (std::isfinite(values[14] + values[15]))
     e.colors = {values[14], values[15], values[17], values[18], values[19], values[20]};
   e.step_m = values[16];
+  e.outlined = values[21];
+  e.unoutlined = values[22];
   return e;
 }
 

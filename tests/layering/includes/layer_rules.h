@@ -78,7 +78,7 @@ class LayerRules {
         {"exchange", {"base", "image", "capture"}},
         {"fusion", {"base", "geometry", "compute", "capture"}},
         {"tracking", {"base", "compute", "capture", "fusion"}},
-        {"segmentation", {"base", "geometry", "compute", "fusion"}},
+        {"segmentation", {"base", "geometry", "compute", "capture", "fusion"}},
         {"labeling", {"base", "geometry", "compute", "fusion", "segmentation"}},
         {"discovery", {"base", "geometry", "capture", "fusion"}},
         {"editing", {"base", "labeling"}},

@@ -286,6 +286,30 @@ TEST(BorderEvidence, AttachmentJoins_UnlessObservationsDenyIt) {
   EXPECT_EQ(flat.weight(kVoxels, kVoxels, 0), before);
 }
 
+TEST(BorderEvidence, OutlineOnASupportSeparates_UnlessObservationsDenyIt) {
+  BorderEvidence flat = after(nearBorder(1), 1, 20);
+  const float before = flat.weight(kVoxels, kVoxels, 0);
+  ASSERT_GT(before, 0);
+  flat.addOutline(true);
+  const float after_one = flat.weight(kVoxels, kVoxels, 0);
+  EXPECT_LT(after_one, before);
+  for (int i = 0; i < 4; ++i) flat.addOutline(true);
+  EXPECT_LT(flat.weight(kVoxels, kVoxels, 0), after_one);
+  for (int i = 0; i < 5; ++i) flat.addOutline(false);
+  EXPECT_FLOAT_EQ(flat.weight(kVoxels, kVoxels, 0), before) << "as many observations deny it";
+  for (int i = 0; i < 5; ++i) flat.addOutline(false);
+  EXPECT_FLOAT_EQ(flat.weight(kVoxels, kVoxels, 0), before) << "a missing outline is no evidence for joining";
+}
+
+TEST(BorderEvidence, OlderOutlinesFade_WhenNewerObservationsDenyThem) {
+  BorderEvidence border;
+  for (int i = 0; i < 500; ++i) border.addOutline(true);
+  EXPECT_NEAR(border.outlined, BorderEvidence::kMaxObservations, 1e-3F);
+  for (int i = 0; i < 60; ++i) border.addOutline(false);
+  EXPECT_NEAR(border.outlined + border.unoutlined, BorderEvidence::kMaxObservations, 1e-3F);
+  EXPECT_GT(border.unoutlined, 0.9F * BorderEvidence::kMaxObservations);
+}
+
 TEST(BorderEvidence, ColorFeaturesAreUnknown_WithoutColor) {
   const auto unknownOf = [](const BorderEvidence& border) {
     std::vector<std::string_view> unknown;

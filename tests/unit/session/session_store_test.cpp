@@ -33,6 +33,8 @@ SavedDelta someDelta(int seed) {
   evidence.appeared_together = 2;
   evidence.attached = 7;
   evidence.unattached = 1.5F;
+  evidence.outlined = 4;
+  evidence.unoutlined = 2.5F;
   evidence.appeared_apart = 0.5F;
   evidence.color_shift = 12;
   evidence.step_m = 0.02F;
@@ -97,6 +99,8 @@ TEST(SessionStore, LoadsWhatWasSaved) {
   EXPECT_EQ(scan->borders[0].evidence->appeared_apart, 0.5F);
   EXPECT_EQ(scan->borders[0].evidence->attached, 7);
   EXPECT_EQ(scan->borders[0].evidence->unattached, 1.5F);
+  EXPECT_EQ(scan->borders[0].evidence->outlined, 4);
+  EXPECT_EQ(scan->borders[0].evidence->unoutlined, 2.5F);
   EXPECT_EQ(scan->borders[0].evidence->color_shift, 12.0F);
   EXPECT_EQ(scan->borders[0].evidence->step_m, 0.02F);
   ASSERT_TRUE(scan->borders[0].evidence->colors);
@@ -244,6 +248,16 @@ TEST(SessionStore, ColorsHaveDefaults_WhenAnEarlierVersionStoredThem) {
   EXPECT_EQ(evidence.colors->shared_chroma, ColorComparison{}.shared_chroma);
   EXPECT_EQ(evidence.colors->elsewhere, ColorComparison{}.elsewhere);
   EXPECT_EQ(evidence.colors->variety, ColorComparison{}.variety);
+}
+
+TEST(SessionStore, EvidenceHasNoOutlines_WhenAnEarlierVersionStoredIt) {
+  const BorderEvidence evidence = evidenceOfNumbers(21);
+  EXPECT_EQ(evidence.observations, 3.25F);
+  EXPECT_EQ(evidence.unattached, 1.5F);
+  ASSERT_TRUE(evidence.colors);
+  EXPECT_EQ(evidence.colors->variety, 4);
+  EXPECT_EQ(evidence.outlined, 0);
+  EXPECT_EQ(evidence.unoutlined, 0);
 }
 
 TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {

@@ -1,0 +1,194 @@
+#include "app/map_instances.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/true_objects.h"
+#include "core/base/regular_file.h"
+#include "core/capture/pose_files.h"
+#include "core/exchange/label_image_writer.h"
+#include "core/scan/open_source.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFramesPerVote = 10;         // matched frames of which one votes
+constexpr double kVisibleWithin_m = 0.03;  // of the depth image
+constexpr double kSameTime_s = 0.001;      // trajectories have microseconds
+
+/// Points in the world, and their regions.
+struct RegionCloud {
+  std::vector<Eigen::Vector3d> points_world;
+  std::vector<std::uint32_t> regions;
+};
+
+template <class T>
+T valueAt(const char* bytes) {
+  T value{};
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+template <class T>
+Eigen::Vector3d placeAt(const char* bytes) {
+  const auto xyz = valueAt<std::array<T, 3>>(bytes);
+  return {xyz[0], xyz[1], xyz[2]};
+}
+
+/// Reads the layout of writePly(): `float|double x y z, uchar red green blue, uint label`.
+Result<RegionCloud> readRegionCloud(const fs::path& file) {
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return fail(bytes.error());
+  const auto damaged = [&] {
+    return fail(file.string() + " is not the labelled cloud of a scan.", "Run the scan again.");
+  };
+  constexpr std::string_view kEnd = "end_header\n";
+  constexpr std::string_view kVertices = "element vertex ";
+  const std::size_t end = bytes->find(kEnd);
+  if (end == std::string::npos) return damaged();
+  std::size_t count = 0;
+  std::string layout;
+  for (std::size_t at = 0; at < end;) {
+    const std::size_t line_end = bytes->find('\n', at);
+    const std::string_view line(bytes->data() + at, line_end - at);
+    at = line_end + 1;
+    if (line.starts_with("comment ")) continue;
+    if (!line.starts_with(kVertices)) {
+      layout.append(line).push_back('\n');
+      continue;
+    }
+    const char* const last = line.data() + line.size();
+    const auto [parsed, failure] = std::from_chars(line.data() + kVertices.size(), last, count);
+    if (failure != std::errc{} || parsed != last) return damaged();
+  }
+  const auto layoutOf = [](const std::string& type) {
+    return "ply\nformat binary_little_endian 1.0\nproperty " + type + " x\nproperty " + type +
+           " y\nproperty " + type +
+           " z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty uint label\n";
+  };
+  const bool has_doubles = layout == layoutOf("double");
+  if (!has_doubles && layout != layoutOf("float")) return damaged();
+  const std::size_t place_bytes = 3 * (has_doubles ? sizeof(double) : sizeof(float));
+  const std::size_t stride = place_bytes + 3 + sizeof(std::uint32_t);
+  const std::size_t begin = end + kEnd.size();
+  if ((bytes->size() - begin) / stride != count || (bytes->size() - begin) % stride != 0) return damaged();
+  RegionCloud cloud;
+  cloud.points_world.reserve(count);
+  cloud.regions.reserve(count);
+  for (const char* point = bytes->data() + begin; cloud.regions.size() < count; point += stride) {
+    cloud.points_world.push_back(has_doubles ? placeAt<double>(point) : placeAt<float>(point));
+    cloud.regions.push_back(valueAt<std::uint32_t>(point + place_bytes + 3));
+  }
+  return cloud;
+}
+
+/// The pose of that time; null: the scan has none. `trajectory` is ordered by time.
+const StampedPose* poseAt(double time_s, const Trajectory& trajectory) {
+  const auto found =
+      std::lower_bound(trajectory.begin(), trajectory.end(), time_s - kSameTime_s,
+                       [](const StampedPose& pose, double time) { return pose.timestamp_s < time; });
+  return found != trajectory.end() && found->timestamp_s <= time_s + kSameTime_s ? &*found : nullptr;
+}
+
+/// How many frames show the point as part of each instance.
+class InstanceVotes {
+ public:
+  void add(std::uint16_t instance) {
+    const auto found = std::find_if(counts_.begin(), counts_.end(),
+                                    [&](const auto& count) { return count.first == instance; });
+    if (found == counts_.end()) return counts_.push_back({instance, 1});
+    ++found->second;
+  }
+  /// 0 without votes; the first one seen if several have equally many.
+  [[nodiscard]] std::uint16_t winner() const {
+    const auto most = std::max_element(counts_.begin(), counts_.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == counts_.end() ? std::uint16_t{0} : most->first;
+  }
+
+ private:
+  std::vector<std::pair<std::uint16_t, int>> counts_;
+};
+
+/// Adds a vote to each point that the frame shows.
+void voteWith(const RgbdFrame& frame, const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
+              const cv::Mat& instances, const RegionCloud& cloud, std::vector<InstanceVotes>& votes) {
+  const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
+  for (std::size_t i = 0; i < cloud.points_world.size(); ++i) {
+    const Eigen::Vector3d p_camera = T_camera_world * cloud.points_world[i];
+    if (!(p_camera.z() > 0)) continue;
+    const double u = std::floor(double{K.fx} * p_camera.x() / p_camera.z() + double{K.cx} + 0.5);
+    const double v = std::floor(double{K.fy} * p_camera.y() / p_camera.z() + double{K.cy} + 0.5);
+    if (!(u >= 0 && v >= 0 && u < frame.depth.cols && v < frame.depth.rows)) continue;
+    const cv::Point pixel(static_cast<int>(u), static_cast<int>(v));
+    const int depth = frame.depth.at<std::uint16_t>(pixel);
+    const double depth_m = depth * double{frame.meters_per_unit};
+    if (depth == 0 || std::abs(depth_m - p_camera.z()) > kVisibleWithin_m) continue;
+    votes[i].add(instances.at<std::uint16_t>(pixel));
+  }
+}
+
+/// False: no frame has depth, truth and a pose.
+Result<bool> collectVotes(FrameSource& source, const NumberedImages& images, const Trajectory& trajectory,
+                          const RegionCloud& cloud, std::vector<InstanceVotes>& votes) {
+  int matched = 0;
+  for (FrameRead read = source.next(); read.status != FrameRead::Status::end; read = source.next()) {
+    if (read.status == FrameRead::Status::failed) return fail(read.error);
+    if (read.status != FrameRead::Status::frame || read.frame.depth.empty()) continue;
+    const auto image = images.find(read.frame.index);
+    const StampedPose* pose = poseAt(read.frame.timestamp_s, trajectory);
+    if (image == images.end() || pose == nullptr || matched++ % kFramesPerVote != 0) continue;
+    auto instances = readLabelImage(image->second);
+    if (!instances) return fail(instances.error());
+    if (instances->size() != read.frame.depth.size()) {
+      cv::resize(*instances, *instances, read.frame.depth.size(), 0, 0, cv::INTER_NEAREST_EXACT);
+    }
+    voteWith(read.frame, source.info().intrinsics, pose->T_world_camera, *instances, cloud, votes);
+  }
+  return matched > 0;
+}
+
+}  // namespace
+
+Result<std::optional<PointInstances>> readMapInstances(const fs::path& scan, const fs::path& truth) {
+  std::error_code ignored;
+  if (!fs::exists(scan / "cloud.ply", ignored)) return std::nullopt;
+  const auto source = openSource(truth.string(), {});
+  if (!source) return std::nullopt;  // label images alone
+  TrueScene scene;
+  const Result<bool> is_listed = readInstanceList(truth / "instances.json", scene);
+  if (!is_listed) return fail(is_listed.error());
+  const auto images = numberedImages(truth);
+  if (!images) return fail(images.error());
+  const auto trajectory = readTumTrajectory(scan / "trajectory.txt");
+  if (!trajectory) return fail(trajectory.error());
+  Result<RegionCloud> cloud = readRegionCloud(scan / "cloud.ply");
+  if (!cloud) return fail(cloud.error());
+  std::vector<InstanceVotes> votes(cloud->regions.size());
+  const Result<bool> has_votes = collectVotes(**source, *images, *trajectory, *cloud, votes);
+  if (!has_votes) return fail(has_votes.error());
+  if (!*has_votes) return std::nullopt;
+  PointInstances instances;
+  instances.predicted = std::move(cloud->regions);
+  instances.truth.reserve(votes.size());
+  for (const InstanceVotes& of_point : votes) {
+    const std::uint16_t winner = of_point.winner();
+    const bool is_object = !*is_listed || scene.objects.contains(winner);
+    instances.truth.push_back(is_object ? winner : std::uint16_t{0});
+  }
+  return instances;
+}
+
+}  // namespace scantrove

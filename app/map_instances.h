@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/evaluation/average_precision.h"
+
+namespace scantrove {
+
+/// Region and true instance of each point of a scan's cloud.ply. The true instance is the one that most
+/// frames show where the point is visible, in every tenth frame with truth; instances that instances.json
+/// marks as no object are void. Poses are those of the scan. Empty: the scan has no cloud.ply, or the truth
+/// is no recording with depth of the frames in the scan's trajectory. Error: names the damaged file.
+[[nodiscard]] Result<std::optional<PointInstances>> readMapInstances(const std::filesystem::path& scan,
+                                                                     const std::filesystem::path& truth);
+
+}  // namespace scantrove

@@ -1,0 +1,15 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/fusion/rendered_view.h"
+
+namespace scantrove {
+
+/// Removes specks from the fragments of an image: pixels with fewer than three of eight neighbours of their
+/// fragment take the fragment that most neighbours on the same surface have. Specks come from voxels between
+/// pixels, and from outlines that differ between frames. `view`: vertices of the pixels.
+void removeSpecks(const RenderedView& view, std::vector<FragmentId>& fragments);
+
+}  // namespace scantrove
