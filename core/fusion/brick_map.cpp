@@ -6,17 +6,11 @@
 #include <unordered_set>
 
 #include "core/base/check.h"
+#include "core/geometry/position_order.h"
 
 namespace scantrove {
-namespace {
 
-bool comesBefore(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-
-}  // namespace
-
-void sortBricks(std::vector<Eigen::Vector3i>& bricks) { std::ranges::sort(bricks, comesBefore); }
+void sortBricks(std::vector<Eigen::Vector3i>& bricks) { std::ranges::sort(bricks, PositionOrder{}); }
 
 BrickMap::BrickMap(ComputeContext& compute, float voxel_size_m, const BrickBudget& budget)
     : device_(compute, voxel_size_m, budget), store_(budget.folder), may_store_(!budget.folder.empty()) {}
@@ -76,7 +70,7 @@ void BrickMap::deactivate(std::span<const Eigen::Vector3i> bricks) {
 std::vector<int> BrickMap::pagesByPosition() const {
   std::vector<int> all(static_cast<std::size_t>(pages().count() - 1));
   std::iota(all.begin(), all.end(), 1);
-  std::ranges::sort(all, comesBefore, [&](int page) { return pages().page(page).position; });
+  std::ranges::sort(all, PositionOrder{}, [&](int page) { return pages().page(page).position; });
   return all;
 }
 

@@ -2,12 +2,13 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "core/base/ids.h"
 #include "core/fusion/rendered_view.h"
+#include "core/geometry/position_order.h"
 
 namespace scantrove {
 
@@ -31,6 +32,19 @@ class EstimatedLabels {
   [[nodiscard]] const std::vector<int>& cellsOfFragments() const { return counts_; }
   [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
 
+  /// Cells of a cube of space, to be stored.
+  struct StoredBrick {
+    Eigen::Vector3i position = Eigen::Vector3i::Zero();
+    /// Two for each used cell, in order; empty: the brick has no cells any more.
+    std::vector<std::uint32_t> words;
+  };
+  /// Bricks that changed since the last call.
+  [[nodiscard]] std::vector<StoredBrick> takeChanged();
+  /// Whether stored words can be restored.
+  [[nodiscard]] static bool isValid(const StoredBrick& stored);
+  /// Adds the cells of a valid brick, but those of fragments without a region. `regions`: by fragment number.
+  void restore(const StoredBrick& stored, std::span<const RegionId> regions);
+
  private:
   static constexpr int kVoxelsPerCell = 2;
   static constexpr int kShift = 3, kSide = 1 << kShift;  ///< cells in a brick
@@ -38,25 +52,34 @@ class EstimatedLabels {
   struct Cell {
     FragmentId fragment;
     std::uint8_t confidence = 0;
+    bool operator==(const Cell&) const = default;
   };
   struct Brick {
     std::array<Cell, kCells> cells{};
     int used = 0;
+    bool is_changed = false;
   };
-  struct Hash {
-    std::size_t operator()(const Eigen::Vector3i& brick) const noexcept;
-  };
+  /// In a fixed order: cells at equal depths must hide one another alike after a restore.
+  using Bricks = std::map<Eigen::Vector3i, Brick, PositionOrder>;
 
-  /// Calls `visit(brick, cell, u, v, z, vertex)` with each used cell that projects into the view.
-  template <class Bricks, class Visit>
-  void forVisible(Bricks& bricks, const RenderedView& view, const Visit& visit) const;
+  /// A cell in a view: its pixel, its depth and its centre.
+  struct Seen {
+    int u = 0, v = 0;
+    float z_m = 0;
+    Eigen::Vector3f vertex_world;
+  };
+  /// Calls `visit(entry of bricks, cell, seen)` with each used cell that projects into the view.
+  template <class SomeBricks, class Visit>
+  void forVisible(SomeBricks& bricks, const RenderedView& view, const Visit& visit) const;
   [[nodiscard]] Eigen::Vector3f centerOf(const Eigen::Vector3i& brick, std::size_t cell) const;
   void set(const Eigen::Vector3f& vertex_world, FragmentId fragment);
-  void count(FragmentId fragment, int more);
+  /// Replaces a cell of a brick and counts.
+  void change(Bricks::value_type& entry, Cell& cell, const Cell& to);
 
   float cell_m_;
-  std::unordered_map<Eigen::Vector3i, Brick, Hash> bricks_;
-  std::vector<int> counts_;  // cells by fragment
+  Bricks bricks_;
+  std::vector<int> counts_;               // cells by fragment
+  std::vector<Eigen::Vector3i> changed_;  // bricks, some of them gone
 };
 
 }  // namespace scantrove

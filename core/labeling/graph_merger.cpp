@@ -211,7 +211,7 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
          ++pixel)
       outcome.fragments[pixel] = fragment;
   }
-  removeSpecks(input.view, outcome.fragments);
+  removeIsolatedLabels(input.view, outcome.fragments);
   for (std::size_t first = 0, pixel = 0; first < outcome.fragments.size(); first = pixel) {
     const RegionId region = table.regionOf(outcome.fragments[first]);
     for (; pixel < outcome.fragments.size() && outcome.fragments[pixel] == outcome.fragments[first]; ++pixel)

@@ -10,7 +10,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kPasses = 2;    // specks of two pixels need a second one
+constexpr int kPasses = 2;    // pairs of such pixels need a second one
 constexpr int kEqual = 3;     // neighbours of the same fragment that keep a pixel
 constexpr int kMajority = 4;  // neighbours of another fragment that replace it
 
@@ -41,7 +41,7 @@ FragmentId majorityAround(const RenderedView& view, const std::vector<FragmentId
 
 }  // namespace
 
-void removeSpecks(const RenderedView& view, std::vector<FragmentId>& fragments) {
+void removeIsolatedLabels(const RenderedView& view, std::vector<FragmentId>& fragments) {
   SCANTROVE_CHECK(fragments.size() == view.vertices_world.size());
   const auto width = static_cast<std::ptrdiff_t>(view.K.width);
   const std::array<std::ptrdiff_t, 8> neighbors{-width - 1, -width,    -width + 1, -1,

@@ -7,9 +7,9 @@
 
 namespace scantrove {
 
-/// Removes specks from the fragments of an image: pixels with fewer than three of eight neighbours of their
-/// fragment take the fragment that most neighbours on the same surface have. Specks come from voxels between
-/// pixels, and from outlines that differ between frames. `view`: vertices of the pixels.
-void removeSpecks(const RenderedView& view, std::vector<FragmentId>& fragments);
+/// Cleans the fragments of an image: pixels with fewer than three of eight neighbours of their
+/// fragment take the fragment that most neighbours on the same surface have. Such pixels come from voxels
+/// between pixels, and from outlines that differ between frames. `view`: vertices of the pixels.
+void removeIsolatedLabels(const RenderedView& view, std::vector<FragmentId>& fragments);
 
 }  // namespace scantrove

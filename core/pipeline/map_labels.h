@@ -48,6 +48,7 @@ class MapLabels {
   /// Writes the merged fragments of a view's estimated surface, and removes what its measured surface
   /// contradicts.
   void updateEstimated(const RenderedView& view) { estimated_.update(view, view.fragments); }
+  [[nodiscard]] EstimatedLabels& estimated() { return estimated_; }
   /// Updates the evidence about where the frame's regions are seen.
   void recordDirections(const RenderedView& view) { directions_.record(view, table_); }
 

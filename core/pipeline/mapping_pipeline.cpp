@@ -101,8 +101,9 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   result.observed = timer_.time("color", [&] { return observed.get(); });
   timer_.time("support", [&] {
     labels_->projectEstimated(result.view);
-    segmentOnSupports(result.observed.color_lab, K, result.segments);
+    segmentSupports(result.observed.color_lab, K, result.segments);
     addEstimatedSurface(result.segments, result.view);
+    color_lab_ = result.observed.color_lab;
   });
 
   const std::span<const std::uint8_t> newly_appeared = fusion_->newlyAppeared();
@@ -125,6 +126,11 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
       [this](const DepthPyramid& late, const Eigen::Isometry3d& T) { fusion_->integrate(late, T); });
   timer_.time("integrate", [&] { fusion_->settle(); });
   return result;
+}
+
+void MappingPipeline::segmentSupports(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K,
+                                      SegmentMap& segments) const {
+  if (params_.labeling.rule == LabelingParams::Rule::graph) segmentOnSupports(color_lab, K, segments);
 }
 
 void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable& table,
@@ -179,7 +185,7 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
     if (params_.labeling.rule != LabelingParams::Rule::graph) return RegionEvents{};
     FrameResult seen = observe(frame, T_world_camera);
     SegmentMap segments = segmenter_->segment(observed_, params_.segmentation);
-    segmentOnSupports(seen.observed.color_lab, seen.view.K, segments);
+    segmentSupports(seen.observed.color_lab, seen.view.K, segments);
     addEstimatedSurface(segments, seen.view);
     RegionMerger::Outcome merged =
         labels_->merge(segments, seen.view, seen.observed.color_lab, {}, params_.labeling);
@@ -211,7 +217,10 @@ FrameResult MappingPipeline::observe(const RgbdFrame& frame, const Eigen::Isomet
 
 Result<SegmentMap> MappingPipeline::segmentAgain() {
   return guarded("segmenting the frame again", [&]() -> Result<SegmentMap> {
-    return has_pose_ ? segmenter_->segment(fusion_->surface(), params_.segmentation) : SegmentMap{};
+    if (!has_pose_) return SegmentMap{};
+    SegmentMap segments = segmenter_->segment(fusion_->surface(), params_.segmentation);
+    segmentSupports(color_lab_, tracking_->intrinsics(), segments);
+    return segments;
   });
 }
 

@@ -91,6 +91,9 @@ class MappingPipeline {
   MappingPipeline(ComputeContext& compute, const Setup& setup)
       : compute_(compute), params_(setup.params), frame_count_(setup.frame_count) {}
 
+  /// Corrects segments by the supports of their frame. The thesis' rule takes them as they are.
+  void segmentSupports(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K,
+                       SegmentMap& segments) const;
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame, const NextFrame& next);
   void findCandidates(CandidateSource& finder, const RegionTable& table,
                       std::span<const std::uint8_t> newly_appeared, FrameResult& result) const;
@@ -113,8 +116,9 @@ class MappingPipeline {
 
   bool has_pose_ = false;  // the surface of fusion_ belongs to the last frame
   std::span<const Eigen::Vector3i> touched_;
-  int frames_ = 0;        // given to processFrame
-  SurfaceMaps observed_;  // the last view of observe()
+  std::vector<Eigen::Vector3f> color_lab_;  // of the last frame with a pose
+  int frames_ = 0;                          // given to processFrame
+  SurfaceMaps observed_;                    // the last view of observe()
 };
 
 }  // namespace scantrove

@@ -156,8 +156,10 @@ SupportColorDifference differenceFromSupport(const cv::Mat3f& lab, const cv::Mat
     for (int u = 0; u < lab.cols; ++u) {
       if (area(v, u) == 0) continue;
       const ColorModel model{mean(v, u), deviation(v, u)};
-      result.lit(v, u) = model.difference(lab(v, u), kShade);
-      result.shaded(v, u) = std::min(result.lit(v, u), model.difference(lab(v, u), kShadow));
+      const float lit = model.difference(lab(v, u), kShade);
+      result.lit(v, u) = lit;
+      result.shaded(v, u) =
+          lit < kClearColorDifference ? lit : std::min(lit, model.difference(lab(v, u), kShadow));
     }
   }
   return result;

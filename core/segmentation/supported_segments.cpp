@@ -14,8 +14,8 @@ namespace scantrove {
 namespace {
 
 // Areas are of images of 640 x 480.
-constexpr double kMinPiece_px = 200;  // of a component of several objects
-constexpr int kSpeck_px = 600;        // smaller segments in a support are holes' rims
+constexpr double kMinPiece_px = 200;   // of a component of several objects
+constexpr int kSmallSegment_px = 600;  // smaller segments in a support are holes' rims
 
 /// Numbers of new segments. 0: the pixel keeps its segment.
 class NewSegments {
@@ -157,7 +157,7 @@ class SupportSegmenter {
 
   /// The rest of the support is one segment: its own, small ones in it, and holes in depth that look like it.
   void fillRest(const Support& support, const SupportImages& images, const cv::Mat1b& keeps, int rest) {
-    const auto speck_px = static_cast<int>(kSpeck_px * K_.pixelScale());
+    const auto small_px = static_cast<int>(kSmallSegment_px * K_.pixelScale());
     for (int v = 0; v < images.box.height; ++v) {
       for (int u = 0; u < images.box.width; ++u) {
         const int x = images.box.x + u, y = images.box.y + v;
@@ -166,7 +166,7 @@ class SupportSegmenter {
         const bool is_gap =
             images.missing(v, u) != 0 && !lab_.empty() && images.difference.lit(v, u) < kClearColorDifference;
         const bool is_flat =
-            images.flat(v, u) != 0 && (id == support.segment || segments_.areas[id] < speck_px);
+            images.flat(v, u) != 0 && (id == support.segment || segments_.areas[id] < small_px);
         if (!is_gap && !is_flat) continue;
         new_.ids(y, x) = rest;
         if (is_gap) estimate(x, y, support.surface, 0);

@@ -15,7 +15,7 @@ namespace scantrove {
 /// - its pixels without depth (shiny, dark or transparent surface) belong to it. They get an estimated depth,
 /// from the
 ///   height of the measured pixels nearby, or else from the support; SegmentMap::is_estimated marks them;
-/// - the rest of the support is one segment, without the specks around missing depth.
+/// - the rest of the support is one segment, and takes in the small segments around missing depth.
 /// `color_lab`: CIE L*a*b* of each pixel, also of those without surface; empty: height alone decides. Any
 /// thread.
 void segmentOnSupports(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K, SegmentMap& segments);

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/database/database_connection.h"
+#include "core/geometry/position_order.h"
 #include "core/session/record_file.h"
 #include "core/session/saved_scan.h"
 
@@ -58,12 +58,7 @@ class MapFiles {
     std::uint32_t bytes = 0, unpacked_bytes = 0;
     std::uint64_t checksum = 0;
   };
-  struct ByPosition {
-    bool operator()(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const {
-      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-    }
-  };
-  using Pages = std::map<Eigen::Vector3i, PageLocation, ByPosition>;
+  using Pages = std::map<Eigen::Vector3i, PageLocation, PositionOrder>;
 
   [[nodiscard]] std::filesystem::path pathOf(std::int64_t number) const;
   [[nodiscard]] Result<RecordFile*> fileToRead(std::int64_t number);

@@ -13,6 +13,7 @@
 #include "core/editing/operation_log.h"
 #include "core/geometry/view_coverage.h"
 #include "core/labeling/border_evidence.h"
+#include "core/labeling/estimated_labels.h"
 #include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
@@ -69,6 +70,9 @@ struct SavedBorder {
   std::optional<BorderEvidence> evidence;  ///< none: deleted
 };
 
+/// Labels at estimated places, as EstimatedLabels provides and accepts them.
+using SavedEstimates = EstimatedLabels::StoredBrick;
+
 /// A page of bricks, as BrickMap provides and accepts it.
 struct SavedPage {
   Eigen::Vector3i position = Eigen::Vector3i::Zero();  ///< BrickPages::Page::position
@@ -93,6 +97,7 @@ struct SavedDelta {
   std::vector<SavedFragment> fragments;
   std::vector<SavedRegion> regions;  ///< with a label now or before
   std::vector<SavedBorder> borders;
+  std::vector<SavedEstimates> estimates;
   std::vector<OperationLog::Entry> operations;
   std::optional<SavedCamera> camera;
 };
@@ -106,6 +111,7 @@ struct SavedScan {
   std::vector<SavedFragment> fragments;
   std::vector<SavedRegion> regions;
   std::vector<SavedBorder> borders;
+  std::vector<SavedEstimates> estimates;
   std::vector<OperationLog::Entry> operations;
   std::vector<Eigen::Vector3i> pages;  ///< positions
 };

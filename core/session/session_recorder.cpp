@@ -1,5 +1,4 @@
 #include "core/session/session_recorder.h"
-#include "core/session/session_restorer.h"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 #include "core/labeling/evidence_graph.h"
 #include "core/session/catalogue_numbers.h"
 #include "core/session/key_frame_files.h"
+#include "core/session/session_restorer.h"
 
 namespace scantrove {
 namespace {
@@ -281,6 +281,7 @@ SavedDelta SessionRecorder::collect(MappingPipeline& pipeline, const ObjectColle
       delta.borders.push_back({a, b, border != nullptr ? std::optional(*border) : std::nullopt});
     }
   }
+  delta.estimates = pipeline.labels().estimated().takeChanged();
   OperationLog& log = pipeline.labels().editor().log();
   for (const std::size_t place : log.takeChanged()) delta.operations.push_back(log.entries()[place]);
   return delta;

@@ -13,6 +13,7 @@
 #include "core/fusion/stored_page.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/key_frame_choice.h"
+#include "core/session/region_label.h"
 #include "core/session/session_writer.h"
 
 namespace scantrove {

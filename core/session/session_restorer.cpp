@@ -58,6 +58,8 @@ void restoreRegions(MapLabels& labels, const SavedScan& scan, Fragments fragment
       if (border.evidence) graph->restore(border.a, border.b, *border.evidence);
     }
   }
+  for (const SavedEstimates& brick : scan.estimates)
+    labels.estimated().restore(brick, labels.table().regions());
   for (const OperationLog::Entry& entry : scan.operations) labels.editor().log().restore(entry);
   for (const SavedRegion& region : scan.regions) labels.editor().restoreNote(region.region, region.note);
 }

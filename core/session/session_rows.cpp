@@ -5,6 +5,7 @@
 
 #include "core/fusion/packed_words.h"
 #include "core/session/checked_rows.h"
+#include "core/session/estimate_rows.h"
 #include "core/session/frame_rows.h"
 #include "core/session/metadata_rows.h"
 #include "core/session/operation_rows.h"
@@ -32,6 +33,7 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
   SCANTROVE_TRY(writeRecordings(database, delta.recordings));
   SCANTROVE_TRY(writeFrames(database, delta));
   SCANTROVE_TRY(writeRegions(database, delta));
+  SCANTROVE_TRY(writeEstimates(database, delta.estimates));
   if (delta.camera) SCANTROVE_TRY(writeCamera(database, *delta.camera));
   return writeOperations(database, delta.operations);
 }
@@ -42,6 +44,7 @@ Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& d
   SCANTROVE_TRY(moveInto(scan.recordings, readRecordings(database, damages)));
   SCANTROVE_TRY(readFrames(database, scan, damages));
   SCANTROVE_TRY(readRegions(database, scan, damages));
+  SCANTROVE_TRY(moveInto(scan.estimates, readEstimates(database, damages)));
   SCANTROVE_TRY(readOperations(database, scan, damages));
   return scan;
 }

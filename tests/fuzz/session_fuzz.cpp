@@ -41,6 +41,7 @@ SavedDelta someDelta() {
   delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100, {}});
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   delta.borders.push_back({FragmentId{7}, FragmentId{9}, BorderEvidence{}});
+  delta.estimates.push_back({{1, -2, 3}, {5 | 2U << 16U, 7}});
   delta.operations.push_back(
       {1,
        {.kind = OperationKind::name, .regions = {RegionId{3}}, .name = "red cup"},
@@ -103,8 +104,8 @@ void change(DatabaseConnection& database, std::string_view lines) {
                            {valueOf(line.substr(equals + 1))});
   }
   // Without checksums, as in older sessions, so that the checks of values are reached.
-  for (const char* table :
-       {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages", "camera"})
+  for (const char* table : {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations",
+                            "pages", "camera", "estimates"})
     (void)database.execute(QString("UPDATE %1 SET row_check = NULL").arg(table));
 }
 
@@ -119,6 +120,11 @@ void readAll(SessionStore& store) {
     require(frame.T_world_camera.matrix().allFinite(), "poses are finite");
   for (const SavedBorder& border : scan->borders)
     require(border.a.value > 0 && border.a.value < border.b.value, "a border lies between two fragments");
+  EstimatedLabels estimated(0.004F);
+  for (const SavedEstimates& brick : scan->estimates) {
+    estimated.restore(brick, std::vector<RegionId>(8, RegionId{1}));
+    require(!estimated.isEmpty() || estimated.takeChanged().empty(), "restored labels are no change");
+  }
   for (const Eigen::Vector3i& position : scan->pages) {
     if (const auto words = store.loadPage(position)) (void)StoredPage::fromWords(*words);
   }
@@ -136,6 +142,8 @@ std::vector<std::string> seeds() {
       "operations.effect={\"moves\": [[7, 3, 5]]}\nregions.name=red cup\nregions.object=#4\n",
       "facts.value={\"fx\": 525, \"fy\": 525, \"cx\": 319.5, \"cy\": 239.5, \"width\": 640, \"height\": "
       "480}\n",
+      "estimates.x=#-9\nestimates.y=#3\nfragments.voxels=#5\n",
+      "estimates.cells=$0123456789abcdef\n",
       "fragments.fragment=#12\nfragments.region=#3\nfragments.voxels=#77\n"};
 }
 

@@ -210,5 +210,69 @@ TEST(EstimatedLabels, CellsBehindTheCameraAreNotSeen) {
   EXPECT_EQ(std::ranges::count(view.is_estimated, 1), 0);
 }
 
+/// Restores all bricks that `labels` stores now, with fragments up to kBottle.
+EstimatedLabels restored(EstimatedLabels& labels) {
+  const std::vector<RegionId> regions(kBottle.value + 1, RegionId{1});
+  EstimatedLabels copy(kVoxel_m);
+  for (const EstimatedLabels::StoredBrick& brick : labels.takeChanged()) {
+    EXPECT_TRUE(EstimatedLabels::isValid(brick));
+    copy.restore(brick, regions);
+  }
+  return copy;
+}
+
+TEST(EstimatedLabels, RestoredCellsBehaveLikeTheStoredOnes) {
+  EstimatedLabels labels(kVoxel_m);
+  writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass, 4);
+  writeEstimate(labels, emptyViewFrom(), 50, 40, 1.7, kBottle);
+  EstimatedLabels copy = restored(labels);
+  RenderedView before = emptyViewFrom(), after = emptyViewFrom();
+  labels.project(before);
+  copy.project(after);
+  EXPECT_TRUE(after.fragments == before.fragments);
+  EXPECT_TRUE(after.vertices_world == before.vertices_world);
+  EXPECT_EQ(copy.cellsOfFragments(), labels.cellsOfFragments());
+  for (EstimatedLabels* one : {&labels, &copy}) {
+    writeEstimate(*one, emptyViewFrom(), 20, 15, 1, kBottle, 3);
+    EXPECT_EQ(projectedAt(*one, 20, 15), kGlass) << "four frames said so";
+    writeEstimate(*one, emptyViewFrom(), 20, 15, 1, kBottle);
+    EXPECT_EQ(projectedAt(*one, 20, 15), kBottle);
+  }
+}
+
+TEST(EstimatedLabels, ChangedBricksAreGivenOnce) {
+  EstimatedLabels labels(kVoxel_m);
+  writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass);
+  ASSERT_EQ(labels.takeChanged().size(), 1U);
+  EXPECT_TRUE(labels.takeChanged().empty());
+  writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass, 20);
+  EXPECT_EQ(labels.takeChanged().size(), 1U) << "of a greater confidence";
+  writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass);
+  EXPECT_TRUE(labels.takeChanged().empty()) << "the confidence is at its greatest";
+  observe(labels, measuredWall(1.5F));
+  const auto removed = labels.takeChanged();
+  ASSERT_EQ(removed.size(), 1U);
+  EXPECT_TRUE(removed[0].words.empty());
+}
+
+TEST(EstimatedLabels, RestoredBricksAreNoChange) {
+  EstimatedLabels labels(kVoxel_m);
+  writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass);
+  EXPECT_TRUE(restored(labels).takeChanged().empty());
+}
+
+TEST(EstimatedLabels, CellsOfDeletedFragmentsAreNotRestored) {
+  EstimatedLabels labels(kVoxel_m);
+  writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass);
+  std::vector<RegionId> regions(kBottle.value + 1, RegionId{1});
+  regions[kGlass.value] = {};
+  EstimatedLabels copy(kVoxel_m);
+  for (const EstimatedLabels::StoredBrick& brick : labels.takeChanged()) {
+    copy.restore(brick, regions);
+    copy.restore(brick, std::span(regions).first(kGlass.value));
+  }
+  EXPECT_TRUE(copy.isEmpty());
+}
+
 }  // namespace
 }  // namespace scantrove

@@ -28,18 +28,18 @@ std::vector<FragmentId> painted(const Rectangle& where, FragmentId fragment,
 
 std::vector<FragmentId> smoothed(std::vector<FragmentId> fragments,
                                  const RenderedView& view = PaintedFrame::corner(0).view) {
-  removeSpecks(view, fragments);
+  removeIsolatedLabels(view, fragments);
   return fragments;
 }
 
-TEST(RemoveSpecks, OddPixelTakesTheMajority) {
+TEST(RemoveIsolatedLabels, OddPixelTakesTheMajority) {
   const std::vector<FragmentId> expected(PaintedFrame::kPixels, kMostFragment);
   EXPECT_EQ(smoothed(painted(kOnePixel, kOddFragment)), expected);
   EXPECT_EQ(smoothed(painted({kSpeck_u, kSpeck_v, kSpeck_u + 1, kSpeck_v}, kOddFragment)), expected)
       << "two pixels";
 }
 
-TEST(RemoveSpecks, OddPixelTakesTheMoreFrequentNeighbor) {
+TEST(RemoveIsolatedLabels, OddPixelTakesTheMoreFrequentNeighbor) {
   // Three neighbours to the right are of one fragment, the other five of the wall.
   std::vector<FragmentId> fragments =
       painted({kSpeck_u + 1, 0, PaintedFrame::kWidth - 1, PaintedFrame::kHeight - 1}, kOtherFragment);
@@ -47,7 +47,7 @@ TEST(RemoveSpecks, OddPixelTakesTheMoreFrequentNeighbor) {
   EXPECT_EQ(smoothed(fragments)[wallPixel(kSpeck_u, kSpeck_v)], kMostFragment);
 }
 
-TEST(RemoveSpecks, LineOfTwoPixelsStays) {
+TEST(RemoveIsolatedLabels, LineOfTwoPixelsStays) {
   const Rectangle upright{kSpeck_u, 0, kSpeck_u + 1, PaintedFrame::kHeight - 1},
       level{0, kSpeck_v, PaintedFrame::kWidth - 1, kSpeck_v + 1};
   for (const Rectangle& line : {upright, level}) {
@@ -56,13 +56,13 @@ TEST(RemoveSpecks, LineOfTwoPixelsStays) {
   }
 }
 
-TEST(RemoveSpecks, SquareOfTwoPixelsStays) {
+TEST(RemoveIsolatedLabels, SquareOfTwoPixelsStays) {
   const std::vector<FragmentId> fragments =
       painted({kSpeck_u, kSpeck_v, kSpeck_u + 1, kSpeck_v + 1}, kOddFragment);
   EXPECT_EQ(smoothed(fragments), fragments);
 }
 
-TEST(RemoveSpecks, PixelKeepsItsFragment_AcrossADepthStep) {
+TEST(RemoveIsolatedLabels, PixelKeepsItsFragment_AcrossADepthStep) {
   RenderedView view = PaintedFrame::corner(0).view;
   const std::vector<FragmentId> fragments = painted(kOnePixel, kOddFragment);
   ASSERT_NE(smoothed(fragments, view), fragments) << "without a step";
@@ -73,7 +73,7 @@ TEST(RemoveSpecks, PixelKeepsItsFragment_AcrossADepthStep) {
   }
 }
 
-TEST(RemoveSpecks, PixelTakesTheFragmentOfItsSideOfAStep) {
+TEST(RemoveIsolatedLabels, PixelTakesTheFragmentOfItsSideOfAStep) {
   // The right wall is 0.5 m farther away. An odd pixel at its edge has five neighbours there.
   const PaintedFrame frame = PaintedFrame::step(0.5F);
   std::vector<FragmentId> fragments = painted(PaintedFrame::kRight, kOtherFragment);
@@ -85,7 +85,7 @@ TEST(RemoveSpecks, PixelTakesTheFragmentOfItsSideOfAStep) {
   EXPECT_EQ(smoothed(fragments, frame.view)[at_edge], kOddFragment);
 }
 
-TEST(RemoveSpecks, UnlabeledPixelsStay) {
+TEST(RemoveIsolatedLabels, UnlabeledPixelsStay) {
   const std::vector<FragmentId> hole = painted(kOnePixel, FragmentId{});
   const std::vector<FragmentId> island = painted(kOnePixel, kOddFragment, FragmentId{});
   EXPECT_EQ(smoothed(hole), hole);

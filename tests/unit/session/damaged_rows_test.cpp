@@ -37,6 +37,7 @@ SavedDelta validDelta() {
   BorderEvidence evidence;
   evidence.observations = 3;
   delta.borders = {{FragmentId{7}, FragmentId{9}, evidence}};
+  delta.estimates = {{{1, -2, 3}, {5 | 2U << 16U, 7, 511 | 8U << 16U, 9}}};
   delta.operations = {{1,
                        {.kind = OperationKind::join, .regions = {RegionId{3}, RegionId{5}}},
                        {.moves = {{FragmentId{9}, RegionId{5}, RegionId{3}}},
@@ -84,8 +85,9 @@ TEST_F(SavedSessionTest, ReportsNoDamage_WhenRowsAreValid) {
   ASSERT_TRUE(scan);
   EXPECT_THAT((*store)->damages(), IsEmpty());
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
-                scan->borders.size() + scan->operations.size() + scan->pages.size() + scan->recordings.size(),
-            9U);
+                scan->borders.size() + scan->operations.size() + scan->pages.size() +
+                scan->recordings.size() + scan->estimates.size(),
+            10U);
 }
 
 TEST_P(DamagedRowTest, SkipsAndNamesTheRow) {
@@ -97,8 +99,8 @@ TEST_P(DamagedRowTest, SkipsAndNamesTheRow) {
   EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(std::string("1 ") + GetParam().skipped)));
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
                 scan->borders.size() + scan->operations.size() + scan->pages.size() +
-                scan->recordings.size() + scan->metadata.size(),
-            10U);
+                scan->recordings.size() + scan->estimates.size() + scan->metadata.size(),
+            11U);
 }
 
 QString operation(const char* regions, const char* moves, const char* constraints) {
@@ -136,6 +138,18 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"seen from a half", "UPDATE fragments SET seen_from = x'0102'", "fragments"},
         Change{"region 0", "UPDATE regions SET region = 0", "regions"},
         Change{"object of text", "UPDATE regions SET object = 'cup'", "regions"},
+        Change{"estimates cut off", "UPDATE estimates SET cells = substr(cells, 1, 15)", "estimated labels"},
+        Change{"estimates of a half cell", "UPDATE estimates SET cells = substr(cells, 1, 12)",
+               "estimated labels"},
+        Change{"estimates of cell 512", "UPDATE estimates SET cells = x'0002010007000000'",
+               "estimated labels"},
+        Change{"estimates of no frame", "UPDATE estimates SET cells = x'0500000007000000'",
+               "estimated labels"},
+        Change{"estimates of nine frames", "UPDATE estimates SET cells = x'0500090007000000'",
+               "estimated labels"},
+        Change{"estimates of a cell twice",
+               "UPDATE estimates SET cells = x'05000100070000000500010007000000'", "estimated labels"},
+        Change{"estimates far away", "UPDATE estimates SET y = 4294967290", "estimated labels"},
         Change{"frame of 2^32", "UPDATE frames SET number = 4294967297", "frames"},
         Change{"frame -7", "UPDATE frames SET number = -7", "frames"},
         Change{"state unknown", "UPDATE frames SET state = 'banana'", "frames"},
@@ -180,6 +194,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Change{"no object", "UPDATE regions SET object = 0", "regions"},
                     Change{"constraint", "UPDATE borders SET said = 1", "borders"},
                     Change{"border of others", "UPDATE borders SET b = 8", "borders"},
+                    Change{"estimates elsewhere", "UPDATE estimates SET z = 4", "estimated labels"},
                     Change{"undone", "UPDATE operations SET state = 'undone'", "operations"},
                     Change{"another recording", "UPDATE recordings SET index_shift = 7", "recordings"},
                     Change{"moved page", "UPDATE pages SET x = 5 WHERE x = 1", "parts of the map"}));

@@ -43,6 +43,11 @@ SavedDelta someDelta(int seed) {
   evidence.by_person = true;
   evidence.constraint_order = 4;
   delta.borders.push_back({FragmentId{7}, FragmentId{9}, evidence});
+  // The brick of seed 1 stays, the next one is replaced, the last one loses its cells.
+  delta.estimates = {{{seed, 0, -4}, {5 | 2U << 16U, 7}},
+                     {{10, 0, -4}, {static_cast<std::uint32_t>(seed) | 1U << 16U, 7}},
+                     {{20, 0, -4}, {}}};
+  if (seed == 1) delta.estimates[2].words = {5 | 2U << 16U, 7};
   delta.operations.push_back(
       {seed,
        {.kind = OperationKind::cut,
@@ -112,6 +117,12 @@ TEST(SessionStore, LoadsWhatWasSaved) {
   EXPECT_EQ(scan->borders[0].evidence->colors->variety, 4);
   EXPECT_EQ(scan->borders[0].evidence->constraint, LinkConstraint::cannot_link);
   EXPECT_TRUE(scan->borders[0].evidence->by_person);
+  ASSERT_EQ(scan->estimates.size(), 3U);
+  EXPECT_EQ(scan->estimates[0].position, Eigen::Vector3i(1, 0, -4));
+  EXPECT_EQ(scan->estimates[0].words, someDelta(1).estimates[0].words);
+  EXPECT_EQ(scan->estimates[1].position, Eigen::Vector3i(2, 0, -4));
+  EXPECT_EQ(scan->estimates[2].position, Eigen::Vector3i(10, 0, -4));
+  EXPECT_EQ(scan->estimates[2].words, last.estimates[1].words);
   ASSERT_EQ(scan->operations.size(), 2U);
   EXPECT_EQ(scan->operations[1].operation, last.operations[0].operation);
   EXPECT_EQ(scan->operations[1].effect, last.operations[0].effect);
@@ -272,7 +283,7 @@ TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {
     for (const char* table :
          {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages"})
       ASSERT_TRUE((*connection)->execute(QString("ALTER TABLE %1 DROP COLUMN row_check").arg(table)));
-    for (const char* table : {"camera", "recordings", "table_sums", "fact_copies", "files"})
+    for (const char* table : {"camera", "recordings", "table_sums", "fact_copies", "files", "estimates"})
       ASSERT_TRUE((*connection)->execute(QString("DROP TABLE %1").arg(table)));
     ASSERT_TRUE((*connection)->execute("DELETE FROM schema_migrations WHERE version > 1"));
     ASSERT_TRUE((*connection)->execute("PRAGMA user_version = 1"));
