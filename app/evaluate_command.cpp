@@ -177,8 +177,7 @@ void addImages(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command
       ->type_name("KEY=VALUE");
   sub->add_option("--device", command->images.device, "OpenCL device, by a part of its name")
       ->type_name("NAME");
-  sub->add_option("--out", command->images.output, "an existing folder for NAME-labels.png")
-      ->check(CLI::ExistingDirectory)
+  sub->add_option("--out", command->images.output, "folder for NAME-labels.png, created if missing")
       ->type_name("DIR");
 }
 

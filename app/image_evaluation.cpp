@@ -137,6 +137,11 @@ Result<Json> evaluateImages(const ImageEvaluation& request) {
   for (const std::string& setting : request.settings) SCANTROVE_TRY(applySetting(params, setting));
   auto pairs = openImagePairs(request.folder);
   if (!pairs) return fail(pairs.error());
+  std::error_code failure;
+  if (!request.output.empty()) fs::create_directories(request.output, failure);
+  if (failure)
+    return fail("The folder " + request.output + " cannot be created: " + failure.message() + ".",
+                "Give another one with --out.");
   const auto compute = ComputeContext::create({.device = request.device});
   if (!compute) return fail(compute.error());
   ImageJudge judge(request, params, **compute);

@@ -82,8 +82,15 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
 
   // The partition uses one thread; independent work runs beside it.
   timer_.time("segment", [&] { segmenter_->weigh(surface, params_.segmentation); });
-  std::future<SegmentMap> segments =
-      std::async(std::launch::async, [this] { return segmenter_->partition(params_.segmentation); });
+  struct Partition {
+    SegmentMap segments;
+    std::vector<Support> supports;
+  };
+  std::future<Partition> partition = std::async(std::launch::async, [&] {
+    SegmentMap segments = segmenter_->partition(params_.segmentation);
+    std::vector<Support> supports = supportsOf(segments, K);
+    return Partition{std::move(segments), std::move(supports)};
+  });
   timer_.time("project", [&] {
     result.view = readView(compute_, surface);
     result.view.fragments = labels_->project(surface);
@@ -97,11 +104,15 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   });
   timer_.time("color", [&] { fusion_->integrateColor(frame, result.view, depth, hidden); });
   tracking_->beginNext(next);
-  result.segments = timer_.time("segment", [&] { return segments.get(); });
+  const std::vector<Support> supports = timer_.time("segment", [&] {
+    Partition done = partition.get();
+    result.segments = std::move(done.segments);
+    return std::move(done.supports);
+  });
   result.observed = timer_.time("color", [&] { return observed.get(); });
   timer_.time("support", [&] {
     labels_->projectEstimated(result.view);
-    segmentSupports(result.observed.color_lab, K, result.segments);
+    segmentOnSupports(supports, result.observed.color_lab, K, result.segments);
     addEstimatedSurface(result.segments, result.view);
     color_lab_ = result.observed.color_lab;
   });
@@ -128,9 +139,9 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   return result;
 }
 
-void MappingPipeline::segmentSupports(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K,
-                                      SegmentMap& segments) const {
-  if (params_.labeling.rule == LabelingParams::Rule::graph) segmentOnSupports(color_lab, K, segments);
+std::vector<Support> MappingPipeline::supportsOf(const SegmentMap& segments, const Intrinsics& K) const {
+  if (params_.labeling.rule != LabelingParams::Rule::graph) return {};
+  return findSupports(segments, K);
 }
 
 void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable& table,
@@ -185,7 +196,7 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
     if (params_.labeling.rule != LabelingParams::Rule::graph) return RegionEvents{};
     FrameResult seen = observe(frame, T_world_camera);
     SegmentMap segments = segmenter_->segment(observed_, params_.segmentation);
-    segmentSupports(seen.observed.color_lab, seen.view.K, segments);
+    segmentOnSupports(supportsOf(segments, seen.view.K), seen.observed.color_lab, seen.view.K, segments);
     addEstimatedSurface(segments, seen.view);
     RegionMerger::Outcome merged =
         labels_->merge(segments, seen.view, seen.observed.color_lab, {}, params_.labeling);
@@ -219,7 +230,8 @@ Result<SegmentMap> MappingPipeline::segmentAgain() {
   return guarded("segmenting the frame again", [&]() -> Result<SegmentMap> {
     if (!has_pose_) return SegmentMap{};
     SegmentMap segments = segmenter_->segment(fusion_->surface(), params_.segmentation);
-    segmentSupports(color_lab_, tracking_->intrinsics(), segments);
+    const Intrinsics& K = tracking_->intrinsics();
+    segmentOnSupports(supportsOf(segments, K), color_lab_, K, segments);
     return segments;
   });
 }

@@ -19,6 +19,7 @@
 #include "core/pipeline/map_readout.h"
 #include "core/pipeline/mapping_params.h"
 #include "core/segmentation/graph_segmenter.h"
+#include "core/segmentation/support_finder.h"
 
 namespace scantrove {
 
@@ -91,9 +92,8 @@ class MappingPipeline {
   MappingPipeline(ComputeContext& compute, const Setup& setup)
       : compute_(compute), params_(setup.params), frame_count_(setup.frame_count) {}
 
-  /// Corrects segments by the supports of their frame. The thesis' rule takes them as they are.
-  void segmentSupports(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K,
-                       SegmentMap& segments) const;
+  /// The supports of a frame. None for the thesis' rule, which takes segments as they are.
+  [[nodiscard]] std::vector<Support> supportsOf(const SegmentMap& segments, const Intrinsics& K) const;
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame, const NextFrame& next);
   void findCandidates(CandidateSource& finder, const RegionTable& table,
                       std::span<const std::uint8_t> newly_appeared, FrameResult& result) const;

@@ -23,9 +23,11 @@ struct NormalEquations {
   Coefficients b = Coefficients::Zero();
   std::size_t samples = 0;
 
-  void add(const Coefficients& terms, double inverse_depth, double weight) {
-    a.noalias() += weight * terms * terms.transpose();
-    b.noalias() += weight * inverse_depth * terms;
+  template <int kTerms>
+  void add(const Coefficients& all, double inverse_depth, double weight) {
+    const Eigen::Matrix<double, kTerms, 1> terms = all.head<kTerms>();
+    a.topLeftCorner<kTerms, kTerms>().noalias() += weight * terms * terms.transpose();
+    b.head<kTerms>() += weight * inverse_depth * terms;
     ++samples;
   }
 
@@ -67,7 +69,9 @@ std::optional<InverseDepthSurface> InverseDepthSurface::fit(std::span<const Samp
         weight = near * near;  // Tukey's biweight
       }
       // Noise of inverse depth is the same at each depth, so that readings count alike.
-      sums.add(termsAt(sample.x, sample.y), 1.0 / static_cast<double>(sample.z_m), weight);
+      const Coefficients terms = termsAt(sample.x, sample.y);
+      const double inverse_depth = 1.0 / static_cast<double>(sample.z_m);
+      bow ? sums.add<kBowed>(terms, inverse_depth, weight) : sums.add<kPlane>(terms, inverse_depth, weight);
     }
     const auto solution = sums.solve(bow ? kBowed : kPlane);
     if (!solution) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -88,6 +89,17 @@ cv::Mat3f atPixels(const cv::Mat3f& cells) {
   return pixels;
 }
 
+/// Calls `visit` with every second pixel (u, v) in both directions and its cell (x, y); rows of cells at the
+/// same time.
+template <class Visit>
+void forSampledPixels(const cv::Size& image, const Visit& visit) {
+  static_assert(kCell_px % kColorStride == 0);
+  cv::parallel_for_({0, cellsOf(image).height}, [&](const cv::Range& rows) {
+    for (int v = rows.start * kCell_px; v < std::min(rows.end * kCell_px, image.height); v += kColorStride)
+      for (int u = 0; u < image.width; u += kColorStride) visit(u, v, u / kCell_px, v / kCell_px);
+  });
+}
+
 /// Sums over a window of cells around each cell.
 void sumAround(int reach_cells, cv::Mat image) {
   const int side = 2 * reach_cells + 1;
@@ -102,15 +114,12 @@ CellModels modelsAround(const cv::Mat3f& lab, const cv::Mat1b& flat, int reach_c
   cv::Mat1b used(lab.size(), 0);
   cv::Mat1f count(cells, 0.0F);
   cv::Mat3f sum(cells, cv::Vec3f()), squares(cells, cv::Vec3f());
-  for (int v = 0; v < lab.rows; v += kColorStride) {
-    for (int u = 0; u < lab.cols; u += kColorStride) {
-      const int x = u / kCell_px, y = v / kCell_px;
-      if (flat(v, u) == 0 || before(x, y).difference(lab(v, u), kShade) > kOutlier) continue;
-      used(v, u) = 255;
-      count(y, x) += 1;
-      sum(y, x) += lab(v, u);
-    }
-  }
+  forSampledPixels(lab.size(), [&](int u, int v, int x, int y) {
+    if (flat(v, u) == 0 || before(x, y).difference(lab(v, u), kShade) > kOutlier) return;
+    used(v, u) = 255;
+    count(y, x) += 1;
+    sum(y, x) += lab(v, u);
+  });
   sumAround(reach_cells, count);
   sumAround(reach_cells, sum);
   CellModels models{cv::Mat3f(cells), cv::Mat3f(cells)};
@@ -119,13 +128,11 @@ CellModels modelsAround(const cv::Mat3f& lab, const cv::Mat1b& flat, int reach_c
       models.mean(y, x) = count(y, x) >= kMinPixels ? sum(y, x) / count(y, x) : before(x, y).mean;
   }
   const cv::Mat3f mean = atPixels(models.mean);
-  for (int v = 0; v < lab.rows; v += kColorStride) {
-    for (int u = 0; u < lab.cols; u += kColorStride) {
-      if (used(v, u) == 0) continue;
-      const cv::Vec3f off = lab(v, u) - mean(v, u);
-      squares(v / kCell_px, u / kCell_px) += off.mul(off);
-    }
-  }
+  forSampledPixels(lab.size(), [&](int u, int v, int x, int y) {
+    if (used(v, u) == 0) return;
+    const cv::Vec3f off = lab(v, u) - mean(v, u);
+    squares(y, x) += off.mul(off);
+  });
   sumAround(reach_cells, squares);
   for (int y = 0; y < cells.height; ++y) {
     for (int x = 0; x < cells.width; ++x) {
@@ -152,16 +159,18 @@ SupportColorDifference differenceFromSupport(const cv::Mat3f& lab, const cv::Mat
     return ColorModel{wide.mean(y, x), wide.deviation(y, x)};
   });
   const cv::Mat3f mean = atPixels(near.mean), deviation = atPixels(near.deviation);
-  for (int v = 0; v < lab.rows; ++v) {
-    for (int u = 0; u < lab.cols; ++u) {
-      if (area(v, u) == 0) continue;
-      const ColorModel model{mean(v, u), deviation(v, u)};
-      const float lit = model.difference(lab(v, u), kShade);
-      result.lit(v, u) = lit;
-      result.shaded(v, u) =
-          lit < kClearColorDifference ? lit : std::min(lit, model.difference(lab(v, u), kShadow));
-    }
-  }
+  const auto compare = [&](int u, int v) {
+    if (area(v, u) == 0) return;
+    const ColorModel model{mean(v, u), deviation(v, u)};
+    const float lit = model.difference(lab(v, u), kShade);
+    result.lit(v, u) = lit;
+    result.shaded(v, u) =
+        lit < kClearColorDifference ? lit : std::min(lit, model.difference(lab(v, u), kShadow));
+  };
+  cv::parallel_for_({0, lab.rows}, [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v)
+      for (int u = 0; u < lab.cols; ++u) compare(u, v);
+  });
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace scantrove {
@@ -186,25 +187,27 @@ SupportImages SupportImages::of(const Support& support, const SegmentMap& segmen
                        {box.size(), 0.0F},
                        {}};
   const SupportLimits limits;
-  for (int v = 0; v < box.height; ++v) {
-    const float y = (static_cast<float>(box.y + v) - K.cy) / K.fy;
-    for (int u = 0; u < box.width; ++u) {
-      if (images.area(v, u) == 0) continue;
-      const float z = segments.depths_m[K.indexOf(box.x + u, box.y + v)];
-      if (!(z > 0)) {
-        images.missing(v, u) = 255;
-        continue;
-      }
-      const float x = (static_cast<float>(box.x + u) - K.cx) / K.fx;
-      const float height_m = support.surface.height(x, y, z), growth = SupportLimits::growth(z);
-      images.height_m(v, u) = height_m;
-      if (std::abs(height_m) < limits.flat_m * growth) images.flat(v, u) = 255;
-      if (height_m > limits.raised_m * growth && height_m < limits.most_m) {
-        images.raised(v, u) = 255;
-        if (height_m > kTall_m) images.tall(v, u) = 255;
-      }
+  const auto fill = [&](int u, int v) {
+    if (images.area(v, u) == 0) return;
+    const float z = segments.depths_m[K.indexOf(box.x + u, box.y + v)];
+    if (!(z > 0)) {
+      images.missing(v, u) = 255;
+      return;
     }
-  }
+    const float x = (static_cast<float>(box.x + u) - K.cx) / K.fx,
+                y = (static_cast<float>(box.y + v) - K.cy) / K.fy;
+    const float height_m = support.surface.height(x, y, z), growth = SupportLimits::growth(z);
+    images.height_m(v, u) = height_m;
+    if (std::abs(height_m) < limits.flat_m * growth) images.flat(v, u) = 255;
+    if (height_m > limits.raised_m * growth && height_m < limits.most_m) {
+      images.raised(v, u) = 255;
+      if (height_m > kTall_m) images.tall(v, u) = 255;
+    }
+  };
+  cv::parallel_for_({0, box.height}, [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v)
+      for (int u = 0; u < box.width; ++u) fill(u, v);
+  });
   images.difference =
       differenceFromSupport(lab.empty() ? cv::Mat3f() : cv::Mat3f(lab(box)), images.flat, images.area);
   return images;

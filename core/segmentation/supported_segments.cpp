@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
 #include "core/base/check.h"
 #include "core/segmentation/component_pieces.h"
 #include "core/segmentation/support_components.h"
-#include "core/segmentation/support_finder.h"
 
 namespace scantrove {
 namespace {
@@ -35,6 +35,24 @@ class NewSegments {
   std::vector<SegmentRole> roles_{1};
 };
 
+/// 255 on the component's pixels without depth that do not reach its outline.
+cv::Mat1b enclosedHoles(const SupportedComponent& component) {
+  cv::Mat1b missing(component.mask.size(), 0), outside;
+  missing.setTo(255, component.z_m == 0);
+  missing &= component.mask;
+  cv::dilate(~component.mask, outside, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, 255);
+  cv::Mat1i holes;
+  const int count = cv::connectedComponents(missing, holes, 8);
+  std::vector<bool> is_open(static_cast<std::size_t>(count), false);
+  for (int v = 0; v < holes.rows; ++v)
+    for (int u = 0; u < holes.cols; ++u)
+      if (outside(v, u) != 0) is_open[static_cast<std::size_t>(holes(v, u))] = true;
+  for (int v = 0; v < holes.rows; ++v)
+    for (int u = 0; u < holes.cols; ++u)
+      if (is_open[static_cast<std::size_t>(holes(v, u))]) missing(v, u) = 0;
+  return missing;
+}
+
 class SupportSegmenter {
  public:
   SupportSegmenter(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K, SegmentMap& segments)
@@ -48,8 +66,7 @@ class SupportSegmenter {
                      reinterpret_cast<cv::Vec3f*>(const_cast<float*>(color_lab.front().data())));
   }
 
-  void run() {
-    const std::vector<Support> supports = findSupports(segments_, K_);
+  void run(std::span<const Support> supports) {
     for (const Support& support : supports) segmentOn(support, supports);
     if (!supports.empty()) write();
   }
@@ -57,7 +74,7 @@ class SupportSegmenter {
  private:
   [[nodiscard]] float depthAt(int u, int v) const { return segments_.depths_m[K_.indexOf(u, v)]; }
 
-  void segmentOn(const Support& support, const std::vector<Support>& supports) {
+  void segmentOn(const Support& support, std::span<const Support> supports) {
     const SupportImages images = SupportImages::of(support, segments_, lab_, K_);
     const auto [labels, components] = findComponents(images, otherSupports(support, supports), K_);
     ++support_number_;
@@ -75,7 +92,7 @@ class SupportSegmenter {
   }
 
   /// 255 on the segments of other supports, in this one's box: a chair's seat above the floor.
-  [[nodiscard]] cv::Mat1b otherSupports(const Support& support, const std::vector<Support>& supports) const {
+  [[nodiscard]] cv::Mat1b otherSupports(const Support& support, std::span<const Support> supports) const {
     const cv::Rect box = support.box;
     cv::Mat1b others(box.size(), 0);
     for (int v = 0; v < box.height; ++v) {
@@ -109,7 +126,8 @@ class SupportSegmenter {
     return carried;
   }
 
-  /// Keeps the component's segments by depth; pixels without depth join the nearest.
+  /// Keeps the component's segments by depth; pixels without depth that it encloses join the nearest. Those
+  /// at its outline may be what it hides from the depth sensor.
   void complete(const Component& component, const cv::Mat1i& labels, const SupportImages& images,
                 const InverseDepthSurface& surface) {
     const SupportedComponent carried = pixelsOf(component, labels, images);
@@ -124,11 +142,12 @@ class SupportSegmenter {
         kept_roles_[segment] = {SegmentRole::Kind::carried, support_number_};
     }
     if (component.measured_px == component.area_px) return;
+    const cv::Mat1b enclosed = enclosedHoles(carried);
     const cv::Mat2i nearest = nearestMeasured(carried);
     for (int v = 0; v < component.box.height; ++v) {
       for (int u = 0; u < component.box.width; ++u) {
         const cv::Point source(nearest(v, u)[0], nearest(v, u)[1]);
-        if (carried.z_m(v, u) > 0 || source.x < 0) continue;
+        if (enclosed(v, u) == 0 || source.x < 0) continue;
         segments_.ids[K_.indexOf(origin.x + u, origin.y + v)] =
             static_cast<std::uint32_t>(carried.segment(source));
         estimate(origin.x + u, origin.y + v, surface, std::max(0.0F, carried.height_m(source)));
@@ -230,10 +249,10 @@ class SupportSegmenter {
 
 }  // namespace
 
-void segmentOnSupports(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K,
-                       SegmentMap& segments) {
+void segmentOnSupports(std::span<const Support> supports, std::span<const Eigen::Vector3f> color_lab,
+                       const Intrinsics& K, SegmentMap& segments) {
   if (segments.ids.empty() || segments.width != K.width || segments.height != K.height) return;
-  SupportSegmenter(color_lab, K, segments).run();
+  SupportSegmenter(color_lab, K, segments).run(supports);
 }
 
 void addEstimatedSurface(const SegmentMap& segments, RenderedView& view) {

@@ -4,6 +4,7 @@
 
 #include "core/fusion/rendered_view.h"
 #include "core/segmentation/segment_map.h"
+#include "core/segmentation/support_finder.h"
 
 namespace scantrove {
 
@@ -16,9 +17,10 @@ namespace scantrove {
 /// from the
 ///   height of the measured pixels nearby, or else from the support; SegmentMap::is_estimated marks them;
 /// - the rest of the support is one segment, and takes in the small segments around missing depth.
-/// `color_lab`: CIE L*a*b* of each pixel, also of those without surface; empty: height alone decides. Any
-/// thread.
-void segmentOnSupports(std::span<const Eigen::Vector3f> color_lab, const Intrinsics& K, SegmentMap& segments);
+/// `supports`: findSupports() of these segments. `color_lab`: CIE L*a*b* of each pixel, also of those without
+/// surface; empty: height alone decides. Any thread.
+void segmentOnSupports(std::span<const Support> supports, std::span<const Eigen::Vector3f> color_lab,
+                       const Intrinsics& K, SegmentMap& segments);
 
 /// Gives the estimated pixels of `segments` a vertex in `view`, of the same size, and marks them there. They
 /// have no normal.

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <opencv2/core/types.hpp>
+#include <opencv2/core.hpp>
 #include <vector>
 
 #include "tests/unit/segmentation/table_scene.h"
@@ -51,12 +51,12 @@ struct TableFrame {
 
   [[nodiscard]] SegmentMap segmented() const {
     SegmentMap result = segments;
-    segmentOnSupports(lab, TableScene::kCamera, result);
+    segmentOnSupports(findSupports(result, TableScene::kCamera), lab, TableScene::kCamera, result);
     return result;
   }
   [[nodiscard]] SegmentMap segmentedWithoutColor() const {
     SegmentMap result = segments;
-    segmentOnSupports({}, TableScene::kCamera, result);
+    segmentOnSupports(findSupports(result, TableScene::kCamera), {}, TableScene::kCamera, result);
     return result;
   }
 
@@ -222,7 +222,8 @@ TEST(SegmentOnSupports, SegmentsStayAsTheyWere_WithoutColor) {
 TEST(SegmentOnSupports, SegmentsStayAsTheyWere_WhenTheCameraIsOfAnotherSize) {
   const TableFrame frame;
   SegmentMap map = frame.segments;
-  segmentOnSupports(frame.lab, TableScene::kCamera.resizedTo(160, 120), map);
+  const Intrinsics small = TableScene::kCamera.resizedTo(160, 120);
+  segmentOnSupports(findSupports(map, TableScene::kCamera), frame.lab, small, map);
   expectSameSegments(map, frame.segments);
   EXPECT_TRUE(map.roles.empty());
 }
