@@ -28,7 +28,7 @@ FrameRead ContinuedSource::shifted(FrameRead read) {
   if (read.status != FrameRead::Status::frame && read.status != FrameRead::Status::skipped) return read;
   RgbdFrame& frame = read.frame;
   if (!shift_ && read.status == FrameRead::Status::frame) {
-    shift_.emplace();
+    shift_ = Shift{};
     if (frame.index <= last_index_) shift_->index = orLargest(std::int64_t{last_index_} + 1 - frame.index);
     if (!(frame.timestamp_s > last_time_s_))
       shift_->time_s = last_time_s_ + kBetweenFrames_s - frame.timestamp_s;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "core/base/check.h"
 #include "core/geometry/surface_step.h"
@@ -39,6 +41,29 @@ FragmentId majorityAround(const RenderedView& view, const std::vector<FragmentId
   return most >= kMajority ? best : FragmentId{};
 }
 
+struct RegionPicture {
+  const std::vector<RegionId>& regions;
+  int width = 0, height = 0;
+
+  [[nodiscard]] std::size_t at(int u, int v) const { return static_cast<std::size_t>(v * width + u); }
+
+  /// The pixel's own region, or that of most neighbours if fewer than three neighbours have its own.
+  [[nodiscard]] RegionId regionAround(int u, int v) const {
+    const RegionId own = regions[at(u, v)];
+    if (!own) return own;
+    if (u > 0 && u + 1 < width && regions[at(u - 1, v)] == own && regions[at(u + 1, v)] == own) return own;
+    std::array<RegionId, 8> around;
+    std::size_t count = 0;
+    for (int y = std::max(0, v - 1); y <= std::min(height - 1, v + 1); ++y) {
+      for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x)
+        if (x != u || y != v) around[count++] = regions[at(x, y)];
+    }
+    const std::span<const RegionId> neighbors(around.data(), count);
+    const auto countOf = [&](RegionId region) { return std::ranges::count(neighbors, region); };
+    return countOf(own) >= kEqual ? own : *std::ranges::max_element(neighbors, {}, countOf);
+  }
+};
+
 }  // namespace
 
 void removeIsolatedLabels(const RenderedView& view, std::vector<FragmentId>& fragments) {
@@ -63,6 +88,22 @@ void removeIsolatedLabels(const RenderedView& view, std::vector<FragmentId>& fra
       }
     }
     for (const auto& [pixel, fragment] : changes) fragments[pixel] = fragment;
+  }
+}
+
+void removeIsolatedLabels(int width, std::vector<RegionId>& regions) {
+  SCANTROVE_CHECK(width > 0 && regions.size() % static_cast<std::size_t>(width) == 0);
+  const RegionPicture picture{regions, width, static_cast<int>(regions.size()) / width};
+  std::vector<std::pair<std::size_t, RegionId>> changes;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    changes.clear();
+    for (int v = 0; v < picture.height; ++v) {
+      for (int u = 0; u < width; ++u) {
+        const RegionId better = picture.regionAround(u, v);
+        if (better != regions[picture.at(u, v)]) changes.emplace_back(picture.at(u, v), better);
+      }
+    }
+    for (const auto& [pixel, region] : changes) regions[pixel] = region;
   }
 }
 

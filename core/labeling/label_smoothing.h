@@ -12,4 +12,8 @@ namespace scantrove {
 /// between pixels, and from outlines that differ between frames. `view`: vertices of the pixels.
 void removeIsolatedLabels(const RenderedView& view, std::vector<FragmentId>& fragments);
 
+/// The same for a picture of regions, on whatever surface they are: pixels with fewer than three equal
+/// neighbours take the region that most neighbours have, or none. `regions`: rows of `width` pixels.
+void removeIsolatedLabels(int width, std::vector<RegionId>& regions);
+
 }  // namespace scantrove

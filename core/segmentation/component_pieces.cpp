@@ -23,6 +23,7 @@ constexpr float kClearFold = 0.002F;     // of the depth, over kBend_px
 constexpr float kSameColor = 2.5F;       // Lab: less is one material, also across a fold
 constexpr float kSimilarColor = 5;       // Lab: less across a border is one colour
 constexpr float kOtherColor = 1000;
+constexpr double kOpenPart = 0.5;   // of a flat part's outline that borders on no raised part
 constexpr double kRoundPart = 0.9;  // of the convex outline of one object
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -83,10 +84,9 @@ class Divider {
     std::map<int, Segment> segments;
     forPixels([&](const cv::Point& p) {
       if (!isMeasured(p)) return;
-      const float z = component_.z_m(p);
       Segment& segment = segments[component_.segment(p)];
       ++segment.area_px;
-      segment.raised_px += component_.height_m(p) > limits_.raised_m * SupportLimits::growth(z) ? 1 : 0;
+      segment.raised_px += isRaised(p) ? 1 : 0;
     });
     int count = 0;
     for (auto& [id, segment] : segments) {
@@ -97,8 +97,54 @@ class Divider {
     forPixels([&](const cv::Point& p) {
       if (isMeasured(p)) seeds_(p) = count == 0 ? 1 : segments[component_.segment(p)].seed;
     });
-    count_ = std::max(count, 1);
+    raised_ = count_ = std::max(count, 1);
+    if (count > 0) findFlatSeeds();
   }
+
+  /// Flat parts beside raised ones are pieces of their own: a sheet that touches a cup. What raised parts
+  /// enclose belongs to them: the inside of a plate.
+  void findFlatSeeds() {
+    cv::Mat1b flat(image_.size(), 0), inner;
+    forPixels([&](const cv::Point& p) {
+      if (isMeasured(p) && !isRaised(p)) flat(p) = 255;
+    });
+    cv::erode(flat, inner, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
+    cv::Mat1i parts, stats;
+    cv::Mat centroids;
+    const int count = cv::connectedComponentsWithStats(inner, parts, stats, centroids, 4);
+    for (int part = 1; part < count; ++part) {
+      const cv::Mat1b pixels(parts == part);
+      if (stats(part, cv::CC_STAT_AREA) < min_piece_px_ || !isOpen(pixels)) continue;
+      cv::dilate(pixels, inner, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
+      seeds_.setTo(++count_, inner & flat);
+    }
+  }
+
+  /// True if raised parts do not enclose these pixels. What is around the box is not of the component.
+  [[nodiscard]] bool isOpen(const cv::Mat1b& pixels) const {
+    constexpr int kReach_px = 2;
+    cv::Mat1b inside, around;
+    cv::copyMakeBorder(pixels, inside, kReach_px, kReach_px, kReach_px, kReach_px, cv::BORDER_CONSTANT, 0);
+    constexpr int kSide_px = 2 * kReach_px + 1;
+    cv::dilate(inside, around, cv::getStructuringElement(cv::MORPH_RECT, {kSide_px, kSide_px}));
+    int open = 0, closed = 0;
+    for (int y = 0; y < around.rows; ++y) {
+      for (int x = 0; x < around.cols; ++x) {
+        if (around(y, x) == 0 || inside(y, x) != 0) continue;
+        const cv::Point p(x - kReach_px, y - kReach_px);
+        const bool is_outside = !image_.contains(p) || component_.mask(p) == 0;
+        open += is_outside ? 1 : 0;
+        closed += !is_outside && isMeasured(p) && isRaised(p) ? 1 : 0;
+      }
+    }
+    return open >= kOpenPart * (open + closed);
+  }
+
+  [[nodiscard]] bool isRaised(const cv::Point& p) const {
+    return component_.height_m(p) > limits_.raised_m * SupportLimits::growth(component_.z_m(p));
+  }
+
+  [[nodiscard]] bool isFlat(int seed) const { return seed > raised_; }
 
   /// Each pixel takes the piece of the nearest seed, and the height of the nearest measured pixel.
   [[nodiscard]] ComponentPieces spread() const {
@@ -193,7 +239,9 @@ class Divider {
       const float color = border.colorStep();
       const bool is_even =
           border.fold() <= kClearFold && (color < kSimilarColor || isRound(pair.first, pair.second));
-      const bool is_one = (continues && border.fold() <= 0) || is_even || color < kSameColor;
+      const bool is_one = isFlat(pair.first) != isFlat(pair.second)
+                              ? color < kSimilarColor
+                              : (continues && border.fold() <= 0) || is_even || color < kSameColor;
       if (!is_one) continue;
       const int a = rootOf(pair.first), b = rootOf(pair.second);
       parent[at(std::max(a, b))] = std::min(a, b);
@@ -222,8 +270,8 @@ class Divider {
   const cv::Rect image_;
   const SupportLimits& limits_;
   double min_piece_px_ = 0;
-  cv::Mat1i seeds_;  // 1 .. count_; 0: none
-  int count_ = 1;
+  cv::Mat1i seeds_;             // 1 .. count_; 0: none
+  int count_ = 1, raised_ = 1;  // seeds; the flat ones follow the raised ones
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/exchange/label_image_writer.h"
 #include "core/exchange/part_name.h"
 #include "core/image/png_encoder.h"
+#include "core/labeling/label_smoothing.h"
 #include "core/segmentation/upsample_segments.h"
 
 namespace scantrove {
@@ -131,7 +132,11 @@ Result<std::string> FrameLabelWriter::drawFinal(const std::filesystem::path& fil
       depth.cols, depth.rows, {depth.ptr<std::uint16_t>(), depth.total()}, meters_per_unit};
   const cv::Mat z_m = view.depth().z_m;
   const DepthUpsampler upsampler({z_m.ptr<float>(), z_m.total()}, view.K.width, view.K.height, guide);
-  return encodeLabelImage(file, numbers.numbersOf(upsampler.apply(view.regions)), depth.size());
+  std::vector<RegionId> regions = view.regions;
+  removeIsolatedLabels(view.K.width, regions);
+  regions = upsampler.apply(regions);
+  removeIsolatedLabels(depth.cols, regions);
+  return encodeLabelImage(file, numbers.numbersOf(regions), depth.size());
 }
 
 Result<void> FrameLabelWriter::writeFinal(Written& frame, const RenderedView& view) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "tests/unit/labeling/painted_frame.h"
@@ -90,6 +92,59 @@ TEST(RemoveIsolatedLabels, UnlabeledPixelsStay) {
   const std::vector<FragmentId> island = painted(kOnePixel, kOddFragment, FragmentId{});
   EXPECT_EQ(smoothed(hole), hole);
   EXPECT_EQ(smoothed(island), island) << "no neighbour has a fragment";
+}
+
+constexpr int kPictureWidth = 6;
+
+/// Regions by letter, in rows of kPictureWidth; '.': none.
+std::vector<RegionId> pictureOf(const std::string& letters) {
+  std::vector<RegionId> regions;
+  for (const char letter : letters)
+    regions.push_back(letter == '.' ? RegionId{} : RegionId{static_cast<std::uint32_t>(letter)});
+  return regions;
+}
+
+std::vector<RegionId> withoutIsolated(const std::string& letters) {
+  std::vector<RegionId> regions = pictureOf(letters);
+  removeIsolatedLabels(kPictureWidth, regions);
+  return regions;
+}
+
+TEST(RemoveIsolatedLabelsOfAPicture, OddPixelTakesTheMostFrequentNeighbor) {
+  EXPECT_EQ(withoutIsolated("aaabbb"
+                            "aacbbb"
+                            "aaabbb"),
+            pictureOf("aaabbb"
+                      "aaabbb"
+                      "aaabbb"))
+      << "five neighbours against three";
+  EXPECT_EQ(withoutIsolated("......"
+                            "..a..."
+                            "......"),
+            pictureOf(std::string(18, '.')));
+}
+
+TEST(RemoveIsolatedLabelsOfAPicture, PixelsAtTheBorderHaveFewerNeighbors) {
+  EXPECT_EQ(withoutIsolated("baaaaa"
+                            "aaaaaa"
+                            "aaaaab"),
+            pictureOf(std::string(18, 'a')));
+  const std::string corner =
+      "bbaaaa"
+      "bbaaaa"
+      "aaaaaa"
+      "aaaaaa";
+  EXPECT_EQ(withoutIsolated(corner), pictureOf(corner));
+}
+
+TEST(RemoveIsolatedLabelsOfAPicture, LineOfTwoPixelsAndUnlabeledPixelsStay) {
+  for (const std::string kept : {"aabbaa"
+                                 "aabbaa"
+                                 "aabbaa",
+                                 "aaaaaa"
+                                 "aa.aaa"
+                                 "aaaaaa"})
+    EXPECT_EQ(withoutIsolated(kept), pictureOf(kept));
 }
 
 }  // namespace

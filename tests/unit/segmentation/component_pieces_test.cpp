@@ -92,6 +92,31 @@ TEST(DivideComponent, DepthStepDividesBoxes_WhenTheirOutlineHasADent) {
   EXPECT_EQ(pieces.piece(10, 50), 0) << "outside the component";
 }
 
+/// A raised left part; the right part lies flat on the support, a part of the support's segment 3.
+TwoBoxes boxAndSheet() {
+  TwoBoxes boxes;
+  boxes.component.height_m(kRightPiece).setTo(0.002);
+  boxes.component.segment(kRightPiece).setTo(3);
+  return boxes;
+}
+
+TEST(DivideComponent, SheetThatTouchesABoxIsAPieceOfItsOwn) {
+  expectTwoPieces(boxAndSheet().paintRight().divide());
+}
+
+TEST(DivideComponent, FlatPartIsOfTheBox_WhenItHasItsColor) { expectOnePiece(boxAndSheet().divide()); }
+
+TEST(DivideComponent, FlatPartIsOfWhatEnclosesIt) {
+  // The rim of a plate around its inside.
+  TwoBoxes plate;
+  plate.component.segment.setTo(1);
+  const cv::Rect inside(10, 10, kPiecesWidth - 20, kPiecesHeight - 20);
+  plate.component.height_m(inside).setTo(0.002);
+  plate.component.segment(inside).setTo(3);
+  plate.component.lab(inside).setTo(cv::Scalar(60, -30, 40));
+  expectOnePiece(plate.divide());
+}
+
 TEST(DivideComponent, PixelsWithoutDepthTakeTheNearestPieceAndItsHeight) {
   TwoBoxes boxes;
   boxes.paintRight().component.height_m(kRightPiece).setTo(0.1);
