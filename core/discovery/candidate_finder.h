@@ -13,6 +13,12 @@
 
 namespace scantrove {
 
+/// Of the pixels of a region in all frames so far.
+struct SupportShares {
+  float support = 0;  ///< the part that was a support: a table, the floor
+  float carried = 0;  ///< the part that lay on one
+};
+
 /// Input of discovery for one frame.
 struct DiscoveryInput {
   const RenderedView& view;
@@ -25,6 +31,8 @@ struct DiscoveryInput {
   std::span<const std::uint8_t> appeared = {};
   /// By pixel: CIE L*a*b* of the surface, slightly blurred. Empty: no colour.
   std::span<const Eigen::Vector3f> color_lab = {};
+  /// Of a region of `regions`. Empty: nothing is known.
+  std::function<SupportShares(RegionId)> support_shares = {};
 };
 
 /// Finds the candidates of one frame.

@@ -109,10 +109,15 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     const auto pixels = static_cast<float>(hypothesis.extent.pixels);
     const OutlineSteps outline = outlines.of(hypothesis.regions);
     float shown = 0, largest = 0;
+    SupportShares shares;
     for (const RegionId region : hypothesis.regions) {
       const auto of_region = static_cast<float>(pixelsOf(region));
       shown += of_region * known_.partInView(region, input.view.K, input.view.T_world_camera, visible);
       largest = std::max(largest, of_region);
+      if (!input.support_shares) continue;
+      const SupportShares of = input.support_shares(region);
+      shares.support += of_region / pixels * of.support;
+      shares.carried += of_region / pixels * of.carried;
     }
     if (!isInView(outline) || shown < kMinShown * pixels) return std::nullopt;
     ObjectnessEvidence evidence = seenOf(hypothesis, outline, input);
@@ -120,6 +125,8 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     evidence.pixels = pixels * scale / kPixelsOfModel;
     evidence.largest_part = largest / pixels;
     evidence.shown = shown / pixels;
+    evidence.support = shares.support;
+    evidence.carried = shares.carried;
     evidence.likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent);
     const auto [most, joined_part] = outwardOddsOf(hypothesis.regions, outlines, input);
     evidence.outward_odds = most;

@@ -22,6 +22,7 @@ FragmentId RegionTable::newFragmentBeside(FragmentId fragment) {
   std::vector<FragmentId> members = members_.at(region).fragments;
   members.insert(std::ranges::upper_bound(members, cut), cut);
   seen_from_[cut.value] = seen_from_[fragment.value];
+  support_pixels_[cut.value] = support_pixels_[fragment.value];
   assign(region, std::move(members));
   ++version_;
   return cut;
@@ -33,10 +34,12 @@ FragmentId RegionTable::takeNumber() {
     fragment.value = static_cast<std::uint32_t>(regions_.size());
     regions_.emplace_back();
     seen_from_.emplace_back();
+    support_pixels_.emplace_back();
   } else {
     fragment = free_.back();
     free_.pop_back();
     seen_from_[fragment.value] = {};
+    support_pixels_[fragment.value] = {};
   }
   return fragment;
 }
@@ -66,6 +69,10 @@ ViewCoverage RegionTable::seenFrom(RegionId region) const {
   ViewCoverage all;
   for (const FragmentId fragment : fragmentsOf(region)) all.add(seenFrom(fragment));
   return all;
+}
+
+SupportPixels RegionTable::supportPixels(FragmentId fragment) const {
+  return fragment.value < support_pixels_.size() ? support_pixels_[fragment.value] : SupportPixels{};
 }
 
 void RegionTable::setKnown(RegionId region, bool known) {
@@ -119,6 +126,7 @@ void RegionTable::restore(std::vector<RegionId> regions, RegionId last_region) {
   *this = RegionTable();
   regions_.resize(regions.size());
   seen_from_.resize(regions.size());
+  support_pixels_.resize(regions.size());
   last_region_ = last_region.value;
   for (auto number = static_cast<std::uint32_t>(regions.size()); number-- > 1;) {
     const FragmentId fragment{number};

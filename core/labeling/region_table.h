@@ -8,6 +8,7 @@
 
 #include "core/base/ids.h"
 #include "core/geometry/view_coverage.h"
+#include "core/labeling/support_pixels.h"
 
 namespace scantrove {
 
@@ -39,7 +40,7 @@ class RegionTable {
  public:
   /// A new fragment without voxels, in a new region.
   FragmentId newFragment();
-  /// A new fragment without voxels, split from `fragment`: same region, same view coverage.
+  /// A new fragment without voxels, split from `fragment`: same region, seen alike.
   FragmentId newFragmentBeside(FragmentId fragment);
   /// Frees a fragment that no voxel holds any more.
   void free(FragmentId fragment);
@@ -60,6 +61,12 @@ class RegionTable {
   /// View coverage of all its fragments.
   [[nodiscard]] ViewCoverage seenFrom(RegionId region) const;
   void restoreSeen(FragmentId fragment, ViewCoverage seen_from) { seen_from_.at(fragment.value) = seen_from; }
+
+  void addSupportPixels(FragmentId fragment, const SupportPixels& pixels) {
+    support_pixels_.at(fragment.value) += pixels;
+  }
+  /// How often a fragment was seen as a support or on one; zero if it does not exist.
+  [[nodiscard]] SupportPixels supportPixels(FragmentId fragment) const;
 
   /// A known region (of a person or the catalogue) keeps its identity when it is joined with others.
   void setKnown(RegionId region, bool known);
@@ -106,8 +113,9 @@ class RegionTable {
   void setRegion(FragmentId fragment, RegionId region);
 
   std::vector<RegionId> regions_{RegionId{}};
-  std::vector<ViewCoverage> seen_from_{ViewCoverage{}};  // by fragment, as regions_
-  std::vector<FragmentId> free_;                         // for reuse, lowest last
+  std::vector<ViewCoverage> seen_from_{ViewCoverage{}};         // by fragment, as regions_
+  std::vector<SupportPixels> support_pixels_{SupportPixels{}};  // by fragment, as regions_
+  std::vector<FragmentId> free_;                                // for reuse, lowest last
   std::map<RegionId, Region> members_;
   /// Changes that a reader has not taken yet.
   struct Changes {

@@ -14,6 +14,7 @@
 #include "core/labeling/observation_recorder.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
+#include "core/labeling/support_recorder.h"
 #include "core/pipeline/editable_cloud.h"
 
 namespace scantrove {
@@ -52,6 +53,11 @@ class MapLabels {
   /// Updates the evidence about where the frame's regions are seen.
   void recordDirections(const RenderedView& view) { directions_.record(view, table_); }
 
+  /// Updates the evidence about which of the frame's regions are supports, or lie on one.
+  void recordSupports(const SegmentMap& segments, const RenderedView& view) {
+    supports_.record(segments, view.fragments, view.K, table_);
+  }
+
   /// Log-odds that two regions of `table` are one thing; lowest without evidence.
   [[nodiscard]] float joiningOdds(RegionId a, RegionId b, const RegionTable& table,
                                   const LabelingParams& params) const;
@@ -85,6 +91,7 @@ class MapLabels {
   RegionTable table_;
   std::unique_ptr<RegionMerger> merger_;
   ObservationRecorder directions_;
+  SupportRecorder supports_;
   EditableCloud editable_;
   std::optional<RegionEditor> editor_;
 };

@@ -129,6 +129,7 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   result.region_events = std::move(merged.events);
   timer_.time("discover", [&] {
     labels_->recordDirections(result.view);
+    labels_->recordSupports(result.segments, result.view);
     applyRegionEvents(result.region_events);
     findCandidates(*finder_, labels_->table(), newly_appeared, result);
   });
@@ -151,6 +152,13 @@ void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable&
   DiscoveryInput input = result.inputFor(shown);
   input.joining_odds = [&](RegionId a, RegionId b) {
     return labels_->joiningOdds(a, b, table, params_.labeling);
+  };
+  input.support_shares = [&](RegionId region) {
+    SupportPixels pixels;
+    for (const FragmentId fragment : table.fragmentsOf(region))
+      pixels += labels_->table().supportPixels(fragment);
+    const float seen = std::max(pixels.seen, 1.0F);
+    return SupportShares{pixels.support / seen, pixels.carried / seen};
   };
   input.appeared = newly_appeared;
   result.candidates = finder.find(input);
@@ -203,6 +211,7 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
     labels_->update(observed_, merged, params_.labeling);
     seen.view.fragments = std::move(merged.fragments);
     labels_->updateEstimated(seen.view);
+    labels_->recordSupports(segments, seen.view);
     applyRegionEvents(merged.events);
     return std::move(merged.events);
   };

@@ -33,7 +33,10 @@ Result<void> writeFragments(DatabaseConnection& database, const std::vector<Save
                         {{"fragment", one.fragment.value},
                          {"region", one.region.value},
                          {"voxels", one.voxels},
-                         {"seen_from", coverageToBytes(one.seen_from)}}));
+                         {"seen_from", coverageToBytes(one.seen_from)},
+                         {"seen_pixels", double{one.support_pixels.seen}},
+                         {"support_pixels", double{one.support_pixels.support}},
+                         {"carried_pixels", double{one.support_pixels.carried}}}));
     } else {
       SCANTROVE_TRY(database.execute("DELETE FROM fragments WHERE fragment = ?", {one.fragment.value}));
     }
@@ -73,14 +76,25 @@ Result<void> writeBorders(DatabaseConnection& database, const std::vector<SavedB
   return borders.empty() ? Result<void>() : seal(database, "borders");
 }
 
+/// None: no numbers of pixels.
+std::optional<SupportPixels> supportPixelsAt(const QSqlQuery& row, int first_column) {
+  constexpr float kMostPixels = 1e30F;
+  const auto number = [&](int column) { return row.value(first_column + column).toFloat(); };
+  const SupportPixels pixels{number(0), number(1), number(2)};
+  const bool are_parts = pixels.support >= 0 && pixels.carried >= 0 && pixels.support <= pixels.seen &&
+                         pixels.carried <= pixels.seen;
+  return are_parts && pixels.seen <= kMostPixels ? std::optional(pixels) : std::nullopt;
+}
+
 std::optional<SavedFragment> fragmentFrom(const QSqlQuery& row) {
   const QByteArray seen_from = row.value(3).toByteArray();
+  const auto support_pixels = supportPixelsAt(row, 4);
   const bool is_coverage = seen_from.isEmpty() || seen_from.size() == ViewCoverage::kCells / 8;
   if (!integerAt(row, 0, kFragments) || !integerAt(row, 1, kRegions) || !integerAt(row, 2, kCounts) ||
-      !is_coverage)
+      !is_coverage || !support_pixels)
     return std::nullopt;
   return SavedFragment{FragmentId{row.value(0).toUInt()}, RegionId{row.value(1).toUInt()},
-                       row.value(2).toInt(), coverageFromBytes(seen_from)};
+                       row.value(2).toInt(), coverageFromBytes(seen_from), *support_pixels};
 }
 
 std::optional<SavedRegion> regionFrom(const QSqlQuery& row) {
@@ -114,7 +128,11 @@ Result<void> writeRegions(DatabaseConnection& database, const SavedDelta& delta)
 }
 
 Result<void> readRegions(DatabaseConnection& database, SavedScan& scan, std::vector<std::string>& damages) {
-  SCANTROVE_TRY(readTable(database, {"fragments", "SELECT * FROM fragments ORDER BY fragment", "fragments"},
+  SCANTROVE_TRY(readTable(database,
+                          {"fragments",
+                           "SELECT fragment, region, voxels, seen_from, seen_pixels, support_pixels,"
+                           " carried_pixels, row_check FROM fragments ORDER BY fragment",
+                           "fragments"},
                           damages, scan.fragments, fragmentFrom));
   SCANTROVE_TRY(readTable(database, {"regions", "SELECT * FROM regions ORDER BY region", "regions"}, damages,
                           scan.regions, regionFrom));

@@ -14,6 +14,7 @@
 #include "core/geometry/view_coverage.h"
 #include "core/labeling/border_evidence.h"
 #include "core/labeling/estimated_labels.h"
+#include "core/labeling/support_pixels.h"
 #include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
@@ -56,6 +57,7 @@ struct SavedFragment {
   RegionId region;  ///< none: the fragment no longer exists
   int voxels = 0;
   ViewCoverage seen_from = {};
+  SupportPixels support_pixels = {};
 };
 
 struct SavedRegion {

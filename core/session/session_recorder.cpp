@@ -47,8 +47,10 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   static_cast<void>(pipeline.labels().table().takeChanged(RegionTable::Reader::session));
   recorder->voxels_.resize(pipeline.labels().table().regions().size(), 0);
   for (const SavedFragment& one : scan.fragments) recorder->voxels_[one.fragment.value] = one.voxels;
-  for (std::uint32_t fragment = 0; fragment < pipeline.labels().table().regions().size(); ++fragment)
+  for (std::uint32_t fragment = 0; fragment < pipeline.labels().table().regions().size(); ++fragment) {
     recorder->seen_from_.push_back(pipeline.labels().table().seenFrom(FragmentId{fragment}));
+    recorder->support_pixels_.push_back(pipeline.labels().table().supportPixels(FragmentId{fragment}));
+  }
   for (const SavedRegion& region : scan.regions) {
     recorder->regions_[region.region] = region;
     recorder->objects_[region.region] = region.object;
@@ -98,6 +100,7 @@ void SessionRecorder::restart() {
   setup_.key_frames = {};
   voxels_.clear();
   seen_from_.clear();
+  support_pixels_.clear();
   regions_.clear();
   objects_.clear();
   pages_.clear();
@@ -162,13 +165,19 @@ void SessionRecorder::collectRegions(MappingPipeline& pipeline, const ObjectColl
     is_changed[fragment.value] = true;
   voxels_.resize(table.regions().size(), 0);
   seen_from_.resize(table.regions().size());
+  support_pixels_.resize(table.regions().size());
   for (std::uint32_t fragment = 1; fragment < table.regions().size(); ++fragment) {
     const int now = fragment < voxels.size() ? voxels[fragment] : 0;
     const ViewCoverage seen_from = table.seenFrom(FragmentId{fragment});
-    if (!is_changed[fragment] && now == voxels_[fragment] && seen_from == seen_from_[fragment]) continue;
+    const SupportPixels support_pixels = table.supportPixels(FragmentId{fragment});
+    if (!is_changed[fragment] && now == voxels_[fragment] && seen_from == seen_from_[fragment] &&
+        support_pixels == support_pixels_[fragment])
+      continue;
     voxels_[fragment] = now;
     seen_from_[fragment] = seen_from;
-    delta.fragments.push_back({FragmentId{fragment}, table.regions()[fragment], now, seen_from});
+    support_pixels_[fragment] = support_pixels;
+    delta.fragments.push_back(
+        {FragmentId{fragment}, table.regions()[fragment], now, seen_from, support_pixels});
   }
   std::map<RegionId, SavedRegion> regions;
   for (const auto& [region, note] : pipeline.labels().editor().notes().all())

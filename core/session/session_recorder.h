@@ -114,6 +114,7 @@ class SessionRecorder {
   std::vector<SavedRecording> recordings_;  // not handed over yet
   std::vector<int> voxels_;                 // of each fragment, as handed over
   std::vector<ViewCoverage> seen_from_;     // as handed over
+  std::vector<SupportPixels> support_pixels_;  // as handed over
   std::map<RegionId, SavedRegion> regions_;
   std::map<RegionId, ObjectId> objects_;     // when no catalogue provides them
   std::map<RegionId, std::string> namings_;  // as handed over

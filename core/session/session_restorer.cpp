@@ -51,7 +51,10 @@ void restoreRegions(MapLabels& labels, const SavedScan& scan, Fragments fragment
   if (const auto found = scan.metadata.find("last_region"); found != scan.metadata.end())
     last.value = static_cast<std::uint32_t>(std::strtoul(found->second.c_str(), nullptr, 10));
   labels.table().restore(std::move(fragments.regions), last);
-  for (const SavedFragment& one : scan.fragments) labels.table().restoreSeen(one.fragment, one.seen_from);
+  for (const SavedFragment& one : scan.fragments) {
+    labels.table().restoreSeen(one.fragment, one.seen_from);
+    labels.table().addSupportPixels(one.fragment, one.support_pixels);
+  }
   labels.cloud().restoreVoxelCounts(std::move(fragments.voxels));
   if (EvidenceGraph* graph = labels.merger().evidence()) {
     for (const SavedBorder& border : scan.borders) {

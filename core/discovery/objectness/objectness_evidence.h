@@ -29,6 +29,7 @@ struct ObjectnessEvidence {
   float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
   float outward_odds = OutwardOdds::kMin;                  ///< OutwardOdds::most
   float joined_part = 0;                                   ///< OutwardOdds
+  float support = 0, carried = 0;                          ///< SupportShares, by pixels
   OutlineBounds bounds;
   // None without colour.
   std::optional<ColorLikeness> likeness;

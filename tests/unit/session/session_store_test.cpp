@@ -26,7 +26,7 @@ SavedDelta someDelta(int seed) {
   ViewCoverage seen_from;
   seen_from.addDirection({1, 2, -3});
   seen_from.addDirection({-1, 0, static_cast<float>(seed)});
-  delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100 + seed, seen_from});
+  delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100 + seed, seen_from, {1000.1F, 10.3F, 900}});
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   BorderEvidence evidence;
   evidence.observations = 3.25F;
@@ -96,6 +96,7 @@ TEST(SessionStore, LoadsWhatWasSaved) {
   ASSERT_EQ(scan->fragments.size(), 1U);
   EXPECT_EQ(scan->fragments[0].voxels, 102);
   EXPECT_EQ(scan->fragments[0].seen_from, last.fragments[0].seen_from);
+  EXPECT_EQ(scan->fragments[0].support_pixels, last.fragments[0].support_pixels);
   ASSERT_EQ(scan->regions.size(), 1U);
   EXPECT_EQ(scan->regions[0], last.regions[0]);
   ASSERT_EQ(scan->borders.size(), 1U);
@@ -277,7 +278,8 @@ TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {
   {
     const auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
     ASSERT_TRUE(connection);
-    ASSERT_TRUE((*connection)->execute("ALTER TABLE fragments DROP COLUMN seen_from"));
+    for (const char* column : {"seen_from", "seen_pixels", "support_pixels", "carried_pixels"})
+      ASSERT_TRUE((*connection)->execute(QString("ALTER TABLE fragments DROP COLUMN %1").arg(column)));
     for (const char* column : {"color_checksum", "depth_checksum"})
       ASSERT_TRUE((*connection)->execute(QString("ALTER TABLE key_frames DROP COLUMN %1").arg(column)));
     for (const char* table :
@@ -295,6 +297,7 @@ TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {
   ASSERT_EQ(scan->fragments.size(), 1U);
   EXPECT_EQ(scan->fragments[0].voxels, 101);
   EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
+  EXPECT_EQ(scan->fragments[0].support_pixels, SupportPixels());
   EXPECT_FALSE((*store)->loadCamera()->has_value());
   EXPECT_TRUE(scan->metadata.contains("begun")) << "identifies its catalogue";
   EXPECT_FALSE(scan->metadata.contains("catalogue"));
