@@ -75,6 +75,12 @@ SupportPixels RegionTable::supportPixels(FragmentId fragment) const {
   return fragment.value < support_pixels_.size() ? support_pixels_[fragment.value] : SupportPixels{};
 }
 
+SupportPixels RegionTable::supportPixels(RegionId region) const {
+  SupportPixels all;
+  for (const FragmentId fragment : fragmentsOf(region)) all += supportPixels(fragment);
+  return all;
+}
+
 void RegionTable::setKnown(RegionId region, bool known) {
   if (const auto found = members_.find(region); found != members_.end()) found->second.known = known;
 }

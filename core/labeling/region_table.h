@@ -67,6 +67,8 @@ class RegionTable {
   }
   /// How often a fragment was seen as a support or on one; zero if it does not exist.
   [[nodiscard]] SupportPixels supportPixels(FragmentId fragment) const;
+  /// Of all its fragments.
+  [[nodiscard]] SupportPixels supportPixels(RegionId region) const;
 
   /// A known region (of a person or the catalogue) keeps its identity when it is joined with others.
   void setKnown(RegionId region, bool known);

@@ -9,6 +9,12 @@ struct SupportPixels {
   float support = 0;  ///< in a support
   float carried = 0;  ///< in something that lies on a support
 
+  /// Whether it is a support itself rather than an object that sometimes carries another one.
+  [[nodiscard]] bool isSupport() const {
+    constexpr float kEnough = 2000, kMostly = 0.6F;
+    return seen >= kEnough && support > kMostly * seen;
+  }
+
   SupportPixels& operator+=(const SupportPixels& other) {
     seen += other.seen;
     support += other.support;

@@ -127,5 +127,15 @@ TEST(ObjectnessEvidence, IsLessLikely_WhenRegionsHardlyJoin) {
   EXPECT_LT(set.logOdds(), mug().logOdds());
 }
 
+TEST(ObjectnessEvidence, SupportsAreNoObjects_HoweverTheyLook) {
+  ObjectnessEvidence evidence = mug();
+  const float odds = evidence.logOdds();
+  ASSERT_GT(odds, 0);
+  evidence.support = 0.3F;  // a box that now and then carries something
+  EXPECT_EQ(evidence.logOdds(), odds);
+  evidence.support = 0.9F;
+  EXPECT_LT(evidence.logOdds(), -2);
+}
+
 }  // namespace
 }  // namespace scantrove
