@@ -1,28 +1,14 @@
 #include "app/label_images.h"
 
-#include <charconv>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 
+#include "core/base/text.h"
 #include "core/exchange/label_image_writer.h"
 
 namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<long> lastNumber(const std::string& name) {
-  const auto is_digit = [&](std::size_t i) { return name[i] >= '0' && name[i] <= '9'; };
-  std::size_t end = name.size();
-  while (end > 0 && !is_digit(end - 1)) --end;
-  std::size_t begin = end;
-  while (begin > 0 && is_digit(begin - 1)) --begin;
-  long number = 0;
-  if (begin == end || std::from_chars(name.data() + begin, name.data() + end, number).ec != std::errc{}) {
-    return std::nullopt;
-  }
-  return number;
-}
 
 /// Whether `record` writes images with this name.
 bool isRecordedImage(const std::string& name) {

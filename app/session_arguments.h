@@ -22,6 +22,9 @@ struct SessionArguments {
   int frame = 0;
   std::string pixel;
   std::vector<std::string> here, there;
+  std::string masks;
+  int min_frames = 3;
+  bool apply = false;
 };
 
 /// The region and point at a pixel, given as "N:x,y" or as "x,y" of `frame`. Error: another format, or as

@@ -6,10 +6,12 @@
 #include "app/command.h"
 #include "app/core_application.h"
 #include "app/kernel_cache_use.h"
+#include "app/number_check.h"
 #include "app/session_edits.h"
 #include "app/session_list_command.h"
 #include "app/session_readout.h"
 #include "app/session_refine_command.h"
+#include "app/session_suggest.h"
 #include "core/base/text.h"
 
 namespace scantrove {
@@ -47,6 +49,19 @@ SessionAction edit(OperationKind kind) {
   return [kind](OpenSession& session, const SessionArguments& arguments) {
     return editSession(session, arguments, kind);
   };
+}
+
+void addMaskOptions(CLI::App& suggest, SessionArguments& arguments) {
+  suggest
+      .add_option("--masks", arguments.masks,
+                  "folder with masks of key frames: NNNNNN.png (16 bits, 0 = none), or one COCO file")
+      ->required()
+      ->type_name("FOLDER");
+  suggest
+      .add_option("--min-frames", arguments.min_frames, "frames that must agree on a proposal (default: 3)")
+      ->transform(wholeNumber(1))
+      ->type_name("N");
+  suggest.add_flag("--apply", arguments.apply, "perform the proposals; each can be undone");
 }
 
 }  // namespace
@@ -114,6 +129,10 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
   addSteps(addNoCatalogue(add("undo", "Undo the newest operation", undoEdits)));
   addSteps(addNoCatalogue(add("redo", "Redo the operation undone last", redoEdits)));
   add("history", "List all operations", listOperations);
+  addMaskOptions(
+      *addNoCatalogue(add("suggest", "Propose joins and cuts where masks of another program agree on them",
+                          suggestFromMasks)),
+      *arguments);
 }
 
 }  // namespace scantrove

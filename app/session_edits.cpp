@@ -40,14 +40,6 @@ Operation operationOn(OperationKind kind, const SessionArguments& arguments) {
   return operation;
 }
 
-/// Applies the edit to the catalogue. A failure is only a warning, because the session holds the edit.
-void updateCatalogue(OpenSession& session, const SessionArguments& arguments) {
-  if (arguments.without_catalogue || catalogueFileOf(session).empty()) return;
-  if (const Result<void> applied = applyToCatalogue(session); !applied)
-    std::cerr << "scantrove: The session was changed, but not its catalogue: "
-              << forTerminal(applied.error().message()) << '\n';
-}
-
 /// Error: fewer than `steps` operations are in that state.
 Result<void> checkSteps(const OpenSession& session, OperationLog::State state, int steps, const char* verb) {
   const auto available = std::ranges::count(session.history().entries(), state, &OperationLog::Entry::state);
@@ -59,6 +51,13 @@ Result<void> checkSteps(const OpenSession& session, OperationLog::State state, i
 }
 
 }  // namespace
+
+void updateCatalogue(OpenSession& session, const SessionArguments& arguments) {
+  if (arguments.without_catalogue || catalogueFileOf(session).empty()) return;
+  if (const Result<void> applied = applyToCatalogue(session); !applied)
+    std::cerr << "scantrove: The session was changed, but not its catalogue: "
+              << forTerminal(applied.error().message()) << '\n';
+}
 
 Result<void> editSession(OpenSession& session, const SessionArguments& arguments, OperationKind kind) {
   Operation operation = operationOn(kind, arguments);

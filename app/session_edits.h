@@ -14,4 +14,7 @@ namespace scantrove {
 [[nodiscard]] Result<void> undoEdits(OpenSession& session, const SessionArguments& arguments);
 [[nodiscard]] Result<void> redoEdits(OpenSession& session, const SessionArguments& arguments);
 
+/// Applies the newest edit to the catalogue. A failure is only a warning, because the session holds the edit.
+void updateCatalogue(OpenSession& session, const SessionArguments& arguments);
+
 }  // namespace scantrove

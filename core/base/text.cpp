@@ -78,6 +78,18 @@ std::string forTerminal(std::string_view text, std::size_t longest) {
   return safe;
 }
 
+std::optional<long> lastNumber(std::string_view name) {
+  constexpr std::string_view kDigits = "0123456789";
+  const std::size_t last = name.find_last_of(kDigits);
+  if (last == std::string_view::npos) return std::nullopt;
+  name = name.substr(0, last + 1);
+  const std::size_t before = name.find_last_not_of(kDigits);
+  if (before != std::string_view::npos) name.remove_prefix(before + 1);
+  long number = 0;
+  const auto parsed = std::from_chars(name.data(), name.data() + name.size(), number);
+  return parsed.ec == std::errc{} ? std::optional(number) : std::nullopt;
+}
+
 std::optional<int> parseFrameNumber(std::string_view digits) {
   int number = 0;
   const auto [stopped, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);

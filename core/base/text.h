@@ -21,6 +21,9 @@ namespace scantrove {
 /// cut between UTF-8 characters and ends in "...".
 [[nodiscard]] std::string forTerminal(std::string_view text, std::size_t longest = 2000);
 
+/// The last number in `name`: 12 of "img-7-frame-000012.color". Empty: none, or it is too large.
+[[nodiscard]] std::optional<long> lastNumber(std::string_view name);
+
 /// `digits` as a non-negative number below 10^9; empty otherwise.
 [[nodiscard]] std::optional<int> parseFrameNumber(std::string_view digits);
 

@@ -2,11 +2,11 @@
 #include <ctime>
 #include <opencv2/core.hpp>
 
-#include "core/dataset/coco_rle.h"
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/silhouette.h"
+#include "core/exchange/coco_rle.h"
 
 namespace scantrove {
 namespace {

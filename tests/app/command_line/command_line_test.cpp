@@ -170,6 +170,18 @@ TEST(CommandLine, RefusesExports_WhenOptionsContradict) {
   expectRefused(parse({"export", "scan", "--format", "ply", "--centred", "--out", "x"}), {"--centred"});
 }
 
+TEST(CommandLine, SuggestionsNeedAFolderOfMasks) {
+  expectCommand(parse({"session", "suggest", "scan", "--masks", "masks"}));
+  expectCommand(parse({"session", "suggest", "scan", "--masks", "masks", "--apply", "--min-frames", "2",
+                       "--json", "--no-catalogue"}));
+  expectRefused(parse({"session", "suggest", "scan"}), {"--masks"});
+  expectRefused(parse({"session", "suggest", "--masks", "masks"}), {"DIR"});
+  expectRefused(parse({"session", "suggest", "scan", "--masks", ""}), {"--masks", "is empty"});
+  expectRefused(parse({"session", "suggest", "scan", "--masks", "masks", "--min-frames", "0"}),
+                {"--min-frames", "whole number from 1"});
+  expectRefused(parse({"session", "show", "scan", "--masks", "masks"}), {"--masks"});
+}
+
 TEST(CommandLine, RefusesSegmentationEvaluation_WithoutOneTruthPerScan) {
   const auto evaluate = [](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"evaluate", "segmentation", "--truth", "truth"});

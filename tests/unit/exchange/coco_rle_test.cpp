@@ -1,4 +1,4 @@
-#include "core/dataset/coco_rle.h"
+#include "core/exchange/coco_rle.h"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +44,25 @@ TEST(CocoRle, DecodesToTheSameMask_WithCocosAlgorithm) {
     const std::string text = encodeRuns(runsOf(mask));
     EXPECT_TRUE(same(decodedLikeCoco(text, 53, 97), mask)) << density;
   }
+}
+
+TEST(CocoRle, DecodesWhatItEncodes) {
+  for (const Runs& runs : {Runs{0, 6, 1}, Runs{2, 3, 1, 1}, Runs{245, 5, 35, 5}, Runs{16}, Runs{15, 31},
+                           Runs{}, Runs{1, 2, 2147483647, 0, 2147483647}}) {
+    const auto decoded = decodeRuns(encodeRuns(runs));
+    ASSERT_TRUE(decoded) << encodeRuns(runs);
+    EXPECT_EQ(*decoded, runs);
+  }
+}
+
+TEST(CocoRle, RefusesTexts_WhenTheyAreNoRuns) {
+  EXPECT_FALSE(decodeRuns("0 1")) << "a letter below '0'";
+  EXPECT_FALSE(decodeRuns("0\xFF")) << "a letter above 'o'";
+  EXPECT_FALSE(decodeRuns("`")) << "announces another letter";
+  EXPECT_FALSE(decodeRuns("N")) << "a run of -2 pixels";
+  EXPECT_FALSE(decodeRuns("2310N")) << "the fifth run is 1 - 2 = -1";
+  EXPECT_FALSE(decodeRuns("oooooo?")) << "a run of 2^34 - 1 pixels";
+  EXPECT_FALSE(decodeRuns("ooooooooooooooooo0")) << "more letters than a number has";
 }
 
 }  // namespace
