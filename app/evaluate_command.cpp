@@ -119,7 +119,9 @@ void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& c
       "A scan gives one image per n. Repeat --scan and --truth to average over several scans.\n"
       "average_precision judges the final regions as instances, without classes, by ScanNet's rules: mean\n"
       "over the thresholds 0.50 to 0.90 of intersection over union, at 0.50, and at 0.25. It counts points\n"
-      "of the scan's cloud.ply. A scan stores no confidence of its regions, so that larger ones rank first.\n"
+      "of the scan's cloud.ply. Its confidence is the objectness by the refinement, in labels.json; if a "
+      "scan\n"
+      "has none, larger regions rank first, and confidence says 'points'.\n"
       "Left out unless the scan has its cloud, and the truth is a recording with depth.",
       command, job, evaluateSegmentations, checkSegmentationArguments);
   sub->add_option("--estimate", command->estimate, "a folder of label PNGs")->type_name("DIR");

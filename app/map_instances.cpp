@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <string_view>
@@ -92,6 +94,36 @@ Result<RegionCloud> readRegionCloud(const fs::path& file) {
     cloud.regions.push_back(valueAt<std::uint32_t>(point + place_bytes + 3));
   }
   return cloud;
+}
+
+/// The objectness of the regions in labels.json, by region; empty: the scan has no such file, or rated none.
+Result<std::map<std::uint32_t, double>> readRatings(const fs::path& file) {
+  std::map<std::uint32_t, double> ratings;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return ratings;
+  const Result<std::string> text = readFile(file);
+  if (!text) return fail(text.error());
+  try {
+    for (const auto& [region, entry] : nlohmann::json::parse(*text).items()) {
+      std::uint32_t number = 0;
+      const auto parsed = std::from_chars(region.data(), region.data() + region.size(), number);
+      const auto objectness = entry.find("objectness");
+      if (parsed.ec == std::errc{} && objectness != entry.end()) ratings[number] = objectness->get<double>();
+    }
+  } catch (const nlohmann::json::exception& exception) {
+    return fail(file.string() + " is not the label map of a scan: " + exception.what() + ".",
+                "Run the scan again.");
+  }
+  return ratings;
+}
+
+/// The confidence of all regions of a scan with ratings: those that are not rated come last.
+std::map<std::uint32_t, double> confidenceOf(const std::vector<std::uint32_t>& regions,
+                                             std::map<std::uint32_t, double> ratings) {
+  constexpr double kUnrated = -1e6;  // below any log-odds
+  if (ratings.empty()) return ratings;
+  for (const std::uint32_t region : regions) ratings.try_emplace(region, kUnrated);
+  return ratings;
 }
 
 /// The pose of that time; null: the scan has none. `trajectory` is ordered by time.
@@ -180,7 +212,10 @@ Result<std::optional<PointInstances>> readMapInstances(const fs::path& scan, con
   const Result<bool> has_votes = collectVotes(**source, *images, *trajectory, *cloud, votes);
   if (!has_votes) return fail(has_votes.error());
   if (!*has_votes) return std::nullopt;
+  auto ratings = readRatings(scan / "labels.json");
+  if (!ratings) return fail(ratings.error());
   PointInstances instances;
+  instances.confidence = confidenceOf(cloud->regions, std::move(*ratings));
   instances.predicted = std::move(cloud->regions);
   instances.truth.reserve(votes.size());
   for (const InstanceVotes& of_point : votes) {

@@ -1,8 +1,10 @@
 #include "app/segmentation_evaluation.h"
 
 #include <array>
+#include <iostream>
 #include <optional>
 
+#include "app/command.h"
 #include "app/json_output.h"
 #include "app/label_images.h"
 #include "app/map_instances.h"
@@ -103,13 +105,24 @@ Json toJson(const AveragePrecision& precision) {
 /// Null unless every scan has a cloud and truth with depth.
 Result<Json> averagePrecisionOf(const std::vector<JudgedScan>& scans) {
   std::vector<PointInstances> scenes;
+  std::string unrated;
   for (const JudgedScan& scan : scans) {
     auto scene = readMapInstances(scan.scan, scan.truth);
     if (!scene) return fail(scene.error());
     if (!*scene) return Json();
+    if ((*scene)->confidence.empty() && unrated.empty()) unrated = scan.scan;
     scenes.push_back(std::move(**scene));
   }
-  return toJson(averagePrecision(scenes));
+  if (!unrated.empty()) {
+    // Ratings of one scan cannot be compared with sizes of another.
+    for (PointInstances& scene : scenes) scene.confidence.clear();
+    std::cerr
+        << "scantrove: The scan " << inLine(unrated)
+        << " has no objectness of its regions: average precision takes larger regions for more likely.\n";
+  }
+  Json json = toJson(averagePrecision(scenes));
+  json["confidence"] = unrated.empty() ? "objectness" : "points";
+  return json;
 }
 
 /// Null if `to` is 0.

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "core/base/ids.h"
@@ -11,7 +12,8 @@ struct CollectedObject {
   std::string name;
   bool confirmed = false;
   int views = 0;
-  std::string recognized_from;  ///< session that first added it; empty: added in this scan
+  std::string recognized_from;           ///< session that first added it; empty: added in this scan
+  std::optional<float> objectness = {};  ///< log-odds by the refinement; none: not rated
 };
 
 }  // namespace scantrove

@@ -17,6 +17,7 @@ Result<void> writeLabelMap(const std::filesystem::path& path, std::span<const La
         {"category", entry.category.empty() ? Json(nullptr) : Json(entry.category)},
         {"confirmed", entry.confirmed}};
     if (entry.image_label) map[std::to_string(entry.region.value)]["image_label"] = *entry.image_label;
+    if (entry.objectness) map[std::to_string(entry.region.value)]["objectness"] = *entry.objectness;
   }
   // Bytes of a name that are not UTF-8 are replaced, not refused.
   return writeFileAtomically(path, map.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");

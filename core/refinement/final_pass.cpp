@@ -153,9 +153,10 @@ Result<bool> FinalPass::rate() {
     applyRegionEvents(collector_, events, ObjectCollector::JoinedBy::frames);
     if (!events.parted.empty()) SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.labels().table())));
   }
+  const std::vector<RatedSets::Rated> chosen = rated.disjoint(kComplete);
+  objectness_ = rated.ofRegions(chosen);
   std::vector<CompleteSet> complete;
-  for (const RatedSets::Rated& set : rated.disjoint(kComplete))
-    complete.push_back({set.regions, set.frame_index});
+  for (const RatedSets::Rated& set : chosen) complete.push_back({set.regions, set.frame_index});
   collector_.settleComplete(complete, [&](RegionId region) { return rated.isUnlikely(region, kComplete); });
   return true;
 }

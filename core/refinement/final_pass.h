@@ -1,7 +1,9 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -40,6 +42,8 @@ class FinalPass {
   [[nodiscard]] Result<void> run(RefinementPosition begin);
   /// The position where run() stopped.
   [[nodiscard]] RefinementPosition position() const { return position_; }
+  /// The objectness of the regions (RatedSets::ofRegions); none: this run has not rated them to the end.
+  [[nodiscard]] const std::optional<std::map<RegionId, float>>& objectness() const { return objectness_; }
   [[nodiscard]] int keyFrames() const { return static_cast<int>(key_frames_.size()); }
 
  private:
@@ -77,6 +81,7 @@ class FinalPass {
   Callbacks callbacks_;
   RefinementPosition position_;
   std::unique_ptr<RegionJudge> judge_;  // for the settled regions
+  std::optional<std::map<RegionId, float>> objectness_;
 };
 
 }  // namespace scantrove

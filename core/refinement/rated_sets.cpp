@@ -57,6 +57,17 @@ std::vector<RatedSets::Rated> RatedSets::disjoint(float least_objectness) const 
   return chosen;
 }
 
+std::map<RegionId, float> RatedSets::ofRegions(std::span<const Rated> complete) const {
+  std::map<RegionId, float> objectness;
+  for (const auto& [regions, observations] : observations_) {
+    if (regions.size() == 1) objectness[*regions.begin()] = observations.together();
+  }
+  for (const Rated& set : complete) {
+    for (const RegionId region : set.regions) objectness[region] = set.objectness;
+  }
+  return objectness;
+}
+
 void RatedSets::rename(const Rename& rename) {
   std::map<RegionSet, Observations> renamed;
   for (auto& [regions, observations] : observations_) {

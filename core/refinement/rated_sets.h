@@ -28,6 +28,9 @@ class RatedSets {
   /// The sets of at least that objectness, most likely first, without those that share a region with a more
   /// likely one.
   [[nodiscard]] std::vector<Rated> disjoint(float least_objectness) const;
+  /// The objectness of each observed region: of the set of `complete` that holds it, else of the region
+  /// alone.
+  [[nodiscard]] std::map<RegionId, float> ofRegions(std::span<const Rated> complete) const;
   using Rename = std::function<std::optional<RegionSet>(const RegionSet&)>;
   /// Replaces each set by the result of `rename`; none: the set is dropped. Results must differ.
   void rename(const Rename& rename);

@@ -36,7 +36,8 @@ Json objectsToJson(const std::vector<CollectedObject>& objects) {
                     {"name", object.name},
                     {"confirmed", object.confirmed},
                     {"views", object.views},
-                    {"recognised_from", is_new ? Json(nullptr) : Json(object.recognized_from)}});
+                    {"recognised_from", is_new ? Json(nullptr) : Json(object.recognized_from)},
+                    {"objectness", object.objectness ? Json(*object.objectness) : Json(nullptr)}});
   }
   return json;
 }

@@ -101,6 +101,7 @@ Result<void> ScanOpener::openSessionToRefine() {
   parts_.source = std::make_unique<NoFrames>(std::move(info));
   if (auto memory = refinementMemoryFrom(earlier_->metadata, earlier_->operations))
     parts_.refinement = std::move(*memory);
+  parts_.objectness = earlier_->objectness;
   return {};
 }
 

@@ -71,8 +71,8 @@ Result<void> ScanOutput::writeTrajectory() {
   });
 }
 
-Result<void> ScanOutput::finish(MappingPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
-                                const ScanReport& report, const FinalLabelImages::StoreRecord& store) {
+Result<void> ScanOutput::finish(MappingPipeline& pipeline, const Regions& regions, const ScanReport& report,
+                                const FinalLabelImages::StoreRecord& store) {
   FirstError outcome;
   const auto attempt = [&](const std::string& activity, const auto& work) {
     outcome.note(guarded(activity, work));
@@ -82,7 +82,7 @@ Result<void> ScanOutput::finish(MappingPipeline& pipeline, const std::map<Region
     return pipeline.readout().renderView(T, pipeline.workingIntrinsics());
   };
   if (label_images_) attempt("writing the label images", [&] { return label_images_->finish(render); });
-  attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, labels); });
+  attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, regions); });
   // Last, because it may read whole recordings again.
   const FinalLabelRecord own = label_images_ ? label_images_->written() : FinalLabelRecord();
   attempt("drawing the label images again",
@@ -90,27 +90,30 @@ Result<void> ScanOutput::finish(MappingPipeline& pipeline, const std::map<Region
   return outcome.result();
 }
 
-Result<void> ScanOutput::writeCloud(MappingPipeline& pipeline,
-                                    const std::map<RegionId, RegionLabel>& labels) {
+LabelMapEntry ScanOutput::entryOf(RegionId region, const Regions& regions) const {
+  LabelMapEntry entry{.region = region, .color = regionColor(region)};
+  const std::optional<std::uint32_t> number = numbers_.knownNumberOf(region);
+  if (number && *number != region.value) entry.image_label = number;
+  if (const auto found = regions.labels.find(region); found != regions.labels.end()) {
+    entry.object = found->second.object;
+    entry.name = found->second.name;
+    entry.category = found->second.category;
+    entry.confirmed = found->second.confirmed;
+  }
+  if (const auto found = regions.objectness.find(region); found != regions.objectness.end())
+    entry.objectness = found->second;
+  return entry;
+}
+
+Result<void> ScanOutput::writeCloud(MappingPipeline& pipeline, const Regions& regions) {
   LabeledCloud points;
   std::map<RegionId, LabelMapEntry> entries;
   FirstError outcome;
   const auto add = [&](const LabelPoint& point) {
     const RegionId region = pipeline.labels().table().regionOf(FragmentId{point.fragment});
-    const auto [place, is_new] = entries.try_emplace(region);
-    LabelMapEntry& entry = place->second;
-    if (is_new) {
-      entry.region = region;
-      entry.color = regionColor(region);
-      const std::optional<std::uint32_t> number = numbers_.knownNumberOf(region);
-      if (number && *number != region.value) entry.image_label = number;
-      if (const auto found = labels.find(region); found != labels.end()) {
-        entry.object = found->second.object;
-        entry.name = found->second.name;
-        entry.category = found->second.category;
-        entry.confirmed = found->second.confirmed;
-      }
-    }
+    auto place = entries.find(region);
+    if (place == entries.end()) place = entries.emplace(region, entryOf(region, regions)).first;
+    const LabelMapEntry& entry = place->second;
     points.push_back(
         {point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], region.value});
   };

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/stamped_pose.h"
 #include "core/capture/rgbd_frame.h"
+#include "core/exchange/label_map_writer.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/scan_report.h"
 #include "core/session/final_label_images.h"
@@ -38,10 +39,15 @@ class ScanOutput {
   /// First part of the end of a scan: needs neither device nor catalogue.
   [[nodiscard]] Result<void> writeTrajectory();
 
+  /// What is known of the regions at the end.
+  struct Regions {
+    std::map<RegionId, RegionLabel> labels;
+    SavedObjectness objectness;
+  };
   /// Writes the other files. A failed file does not prevent others, nor does a failed device: the cloud
   /// then has the points read so far. Error: the first failure (the others are in the log). `store` stores
   /// the record of the final label images in the session.
-  [[nodiscard]] Result<void> finish(MappingPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
+  [[nodiscard]] Result<void> finish(MappingPipeline& pipeline, const Regions& regions,
                                     const ScanReport& report, const FinalLabelImages::StoreRecord& store);
   /// Images that finish() could not draw, for the user.
   [[nodiscard]] const std::vector<Error>& remarks() const { return final_labels_.remarks(); }
@@ -51,8 +57,8 @@ class ScanOutput {
  private:
   explicit ScanOutput(std::filesystem::path folder);
 
-  [[nodiscard]] Result<void> writeCloud(MappingPipeline& pipeline,
-                                        const std::map<RegionId, RegionLabel>& labels);
+  [[nodiscard]] LabelMapEntry entryOf(RegionId region, const Regions& regions) const;
+  [[nodiscard]] Result<void> writeCloud(MappingPipeline& pipeline, const Regions& regions);
 
   std::filesystem::path folder_;
   Trajectory trajectory_;

@@ -32,6 +32,7 @@ struct ScanParts {
   std::unique_ptr<ScanObjects> objects;       ///< uses `pipeline`
   std::unique_ptr<SessionRecorder> recorder;  ///< null: no session
   RefinementMemory refinement;                ///< the position where it stops or stopped
+  SavedObjectness objectness;                 ///< by this refinement or the stopped one that it continues
   FrameCounts earlier_frames;                 ///< of a session that is only refined
   bool keeps_earlier_scan = false;            ///< in the folder, until this scan has a usable frame
 

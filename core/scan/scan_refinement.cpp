@@ -24,6 +24,7 @@ void ScanRefinement::run(ScanParts& parts, const Callbacks& callbacks) {
 
 Result<void> ScanRefinement::runPass(ScanParts& parts, const Callbacks& callbacks) {
   report_.skipped = true;  // until it is done
+  if (parts.refinement.position.pass <= RefinementPosition::Pass::rate) parts.objectness.clear();
   ObjectCollector& collector = parts.objects->collector();
   SCANTROVE_TRY(parts.recorder->save(*parts.pipeline, &collector));
   const auto stored = parts.recorder->storedFrames();
@@ -44,6 +45,7 @@ Result<void> ScanRefinement::runPass(ScanParts& parts, const Callbacks& callback
   callbacks.begins();
   const Result<void> done = pass.run(parts.refinement.position);
   parts.refinement.position = pass.position();
+  if (pass.objectness()) parts.objectness = *pass.objectness();
   report_.skipped = parts.refinement.position.pass != RefinementPosition::Pass::done;
   return done;
 }

@@ -252,7 +252,7 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
       refinement_.keep(parts_);
       if (parts_.output) parts_.recorder->setMetadata(kResultsKey, kResultsCurrent);
       keepJoins();
-      return parts_.recorder->finish(*parts_.pipeline, parts_.objects->collector());
+      return parts_.recorder->finish(*parts_.pipeline, parts_.objects->collector(), parts_.objectness);
     }));
   }
   if (has_results) {
@@ -260,7 +260,8 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
       return parts_.recorder ? parts_.recorder->keepMetadata(kFinalLabelsKey, finalLabelsToText(record))
                              : Result<void>();
     };
-    outcome.note(parts_.output->finish(*parts_.pipeline, parts_.objects->labels(), report, store));
+    outcome.note(parts_.output->finish(*parts_.pipeline, {parts_.objects->labels(), parts_.objectness},
+                                       report, store));
     for (const Error& remark : parts_.output->remarks()) listener_(ScanAdvice{remark});
   }
   announceMapFailure();
@@ -297,7 +298,18 @@ void ScanRun::fillReport(ScanReport& report) {
   report.small_fragments = regions.small_fragments;
   report.refinement = refinement_.report();
   report.is_of_refinement = parts_.request.refine_session;
-  report.objects = parts_.objects->collector().objects().list();
+  report.objects = ratedObjects();
+}
+
+std::vector<CollectedObject> ScanRun::ratedObjects() const {
+  const CollectedObjects& objects = parts_.objects->collector().objects();
+  std::vector<CollectedObject> list = objects.list();
+  for (const auto& [region, objectness] : parts_.objectness) {
+    const auto object = std::ranges::find(list, objects.idOf(region), &CollectedObject::id);
+    if (object != list.end())
+      object->objectness = std::max(object->objectness.value_or(objectness), objectness);
+  }
+  return list;
 }
 
 Result<void> ScanRun::checkResult(const ScanReport& report) const {

@@ -81,6 +81,8 @@ class ScanRun {
   [[nodiscard]] Result<void> restartIfMisled(int frame_index);
   void refine(const Ending& ending);
   void fillReport(ScanReport& report);
+  /// The objects with the objectness of their most likely regions.
+  [[nodiscard]] std::vector<CollectedObject> ratedObjects() const;
   /// Error: no frame was integrated into the map.
   [[nodiscard]] Result<void> checkResult(const ScanReport& report) const;
 

@@ -75,6 +75,10 @@ struct SavedBorder {
 /// Labels at estimated places, as EstimatedLabels provides and accepts them.
 using SavedEstimates = EstimatedLabels::StoredBrick;
 
+/// How likely regions are one complete object, by the last refinement: log-odds. Regions that no key frame
+/// shows well are missing.
+using SavedObjectness = std::map<RegionId, float>;
+
 /// A page of bricks, as BrickMap provides and accepts it.
 struct SavedPage {
   Eigen::Vector3i position = Eigen::Vector3i::Zero();  ///< BrickPages::Page::position
@@ -100,6 +104,7 @@ struct SavedDelta {
   std::vector<SavedRegion> regions;  ///< with a label now or before
   std::vector<SavedBorder> borders;
   std::vector<SavedEstimates> estimates;
+  std::optional<SavedObjectness> objectness;  ///< of all regions; none: no change
   std::vector<OperationLog::Entry> operations;
   std::optional<SavedCamera> camera;
 };
@@ -114,6 +119,7 @@ struct SavedScan {
   std::vector<SavedRegion> regions;
   std::vector<SavedBorder> borders;
   std::vector<SavedEstimates> estimates;
+  SavedObjectness objectness;
   std::vector<OperationLog::Entry> operations;
   std::vector<Eigen::Vector3i> pages;  ///< positions
 };

@@ -290,6 +290,7 @@ SavedDelta SessionRecorder::collect(MappingPipeline& pipeline, const ObjectColle
       delta.borders.push_back({a, b, border != nullptr ? std::optional(*border) : std::nullopt});
     }
   }
+  delta.objectness = std::exchange(setup_.objectness, std::nullopt);
   delta.estimates = pipeline.labels().estimated().takeChanged();
   OperationLog& log = pipeline.labels().editor().log();
   for (const std::size_t place : log.takeChanged()) delta.operations.push_back(log.entries()[place]);
@@ -332,8 +333,10 @@ Result<void> SessionRecorder::save(MappingPipeline& pipeline, const ObjectCollec
   return writer_->flush();
 }
 
-Result<void> SessionRecorder::finish(MappingPipeline& pipeline, const ObjectCollector& collector) {
+Result<void> SessionRecorder::finish(MappingPipeline& pipeline, const ObjectCollector& collector,
+                                     SavedObjectness objectness) {
   setMetadata("ended", "yes");
+  setup_.objectness = std::move(objectness);
   const std::optional<CameraMemory> memory = pipeline.camera().memory();
   SCANTROVE_TRY(save(pipeline, &collector));
   // By itself: the rest is stored even if the disk has no room for it.

@@ -41,6 +41,7 @@ class SessionRecorder {
     SessionMetadata metadata = {};   ///< of a new scan
     int frames = 0;                  ///< already in the session
     KeyFrameChoice key_frames = {};  ///< already in the session
+    std::optional<SavedObjectness> objectness = {};  ///< to store with the next save
   };
   SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup);
   /// Continues a session from which `pipeline` was just restored.
@@ -59,9 +60,10 @@ class SessionRecorder {
   /// Hands over changes and waits until they are on disk. Without `collector` objects stay the same. Error:
   /// writing failed; the stored state is unchanged.
   [[nodiscard]] Result<void> save(MappingPipeline& pipeline, const ObjectCollector* collector = nullptr);
-  /// The same at the end of the scan. Error: also if other programs removed or replaced files of the
-  /// session meanwhile, though they were written again.
-  [[nodiscard]] Result<void> finish(MappingPipeline& pipeline, const ObjectCollector& collector);
+  /// The same at the end of the scan; `objectness` replaces what was stored. Error: also if other programs
+  /// removed or replaced files of the session meanwhile, though they were written again.
+  [[nodiscard]] Result<void> finish(MappingPipeline& pipeline, const ObjectCollector& collector,
+                                    SavedObjectness objectness);
   /// Error: other programs removed, moved or replaced files of the session since it was opened.
   [[nodiscard]] Result<void> findDisturbance();
   /// The frames with stored images, in order. Waits until they are on

@@ -8,6 +8,7 @@
 #include "core/session/estimate_rows.h"
 #include "core/session/frame_rows.h"
 #include "core/session/metadata_rows.h"
+#include "core/session/objectness_rows.h"
 #include "core/session/operation_rows.h"
 #include "core/session/recording_rows.h"
 #include "core/session/region_rows.h"
@@ -34,6 +35,7 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
   SCANTROVE_TRY(writeFrames(database, delta));
   SCANTROVE_TRY(writeRegions(database, delta));
   SCANTROVE_TRY(writeEstimates(database, delta.estimates));
+  if (delta.objectness) SCANTROVE_TRY(writeObjectness(database, *delta.objectness));
   if (delta.camera) SCANTROVE_TRY(writeCamera(database, *delta.camera));
   return writeOperations(database, delta.operations);
 }
@@ -45,6 +47,7 @@ Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& d
   SCANTROVE_TRY(readFrames(database, scan, damages));
   SCANTROVE_TRY(readRegions(database, scan, damages));
   SCANTROVE_TRY(moveInto(scan.estimates, readEstimates(database, damages)));
+  SCANTROVE_TRY(moveInto(scan.objectness, readObjectness(database, damages)));
   SCANTROVE_TRY(readOperations(database, scan, damages));
   return scan;
 }

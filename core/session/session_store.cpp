@@ -108,7 +108,7 @@ Result<void> SessionStore::saveKeyFrame(const SavedFrame& frame, const SavedKeyF
 Result<void> SessionStore::deleteMapRows() {
   DatabaseConnection& database = **database_;
   for (const char* table :
-       {"key_frames", "fragments", "regions", "borders", "estimates", "pages", "camera"}) {
+       {"key_frames", "fragments", "regions", "borders", "estimates", "objectness", "pages", "camera"}) {
     SCANTROVE_TRY(database.execute(QString("DELETE FROM ") + table));
     SCANTROVE_TRY(rows::seal(database, table));
   }

@@ -119,6 +119,37 @@ TEST(EvaluateSegmentation, AveragesOverSeveralScans) {
   EXPECT_NEAR(json["over_frames"][0]["ratio"], 0.5, 1e-6);
 }
 
+/// labels.json of a scan without the ratings of its regions.
+void removeRatings(const std::filesystem::path& file) {
+  auto labels = nlohmann::json::parse(readText(file));
+  int rated = 0;
+  for (auto& [region, entry] : labels.items()) rated += static_cast<int>(entry.erase("objectness"));
+  EXPECT_GT(rated, 0) << "the refinement rated no region";
+  std::filesystem::remove(file);
+  std::ofstream(file) << labels.dump();
+}
+
+TEST(EvaluateSegmentation, RanksRegionsByObjectness_OrBySizeInAScanWithoutIt) {
+  const TemporaryFolder folder;
+  const std::string truth = folder / "truth", scan = folder / "scan";
+  ASSERT_EQ(scantrove({"record", "demo", "--frames", "30", "--out", truth}).exit_code, 0);
+  const Finished scanned = scantrove({"scan", truth, "--label-maps", "--out", scan});
+  ASSERT_EQ(scanned.exit_code, 0) << scanned.err;
+  const auto report = nlohmann::json::parse(readText(folder / "scan/report.json"));
+  for (const auto& object : report["objects"]) EXPECT_TRUE(object.contains("objectness"));
+  const Finished rated = scantrove({"evaluate", "segmentation", "--scan", scan, "--truth", truth});
+  EXPECT_EQ(jsonOf(rated)["average_precision"]["confidence"], "objectness");
+  EXPECT_EQ(rated.err, "");
+  removeRatings(folder / "scan/labels.json");
+  const Finished unrated = scantrove({"evaluate", "segmentation", "--scan", scan, "--truth", truth});
+  EXPECT_EQ(jsonOf(unrated)["average_precision"]["confidence"], "points");
+  EXPECT_THAT(unrated.err, testing::AllOf(testing::HasSubstr(scan), testing::HasSubstr("no objectness")));
+  EXPECT_EQ(std::count(unrated.err.begin(), unrated.err.end(), '\n'), 1) << "one remark";
+  folder.write("scan/labels.json", "{");
+  expectJobFailure(scantrove({"evaluate", "segmentation", "--scan", scan, "--truth", truth}),
+                   {"labels.json"});
+}
+
 TEST(EvaluateSegmentation, RefusesAScanWithoutFinalLabels) {
   const TemporaryFolder folder;
   writeScan(folder / "scan", folder / "truth");

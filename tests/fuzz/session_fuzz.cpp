@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <charconv>
+#include <cmath>
 
 #include "core/database/database_connection.h"
 #include "core/fusion/packed_words.h"
@@ -41,6 +42,7 @@ SavedDelta someDelta() {
   delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100, {}});
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   delta.borders.push_back({FragmentId{7}, FragmentId{9}, BorderEvidence{}});
+  delta.objectness = SavedObjectness{{RegionId{3}, 1.5F}};
   delta.estimates.push_back({{1, -2, 3}, {5 | 2U << 16U, 7}});
   delta.operations.push_back(
       {1,
@@ -105,7 +107,7 @@ void change(DatabaseConnection& database, std::string_view lines) {
   }
   // Without checksums, as in older sessions, so that the checks of values are reached.
   for (const char* table : {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations",
-                            "pages", "camera", "estimates"})
+                            "pages", "camera", "estimates", "objectness"})
     (void)database.execute(QString("UPDATE %1 SET row_check = NULL").arg(table));
 }
 
@@ -120,6 +122,8 @@ void readAll(SessionStore& store) {
     require(frame.T_world_camera.matrix().allFinite(), "poses are finite");
   for (const SavedBorder& border : scan->borders)
     require(border.a.value > 0 && border.a.value < border.b.value, "a border lies between two fragments");
+  for (const auto& [region, log_odds] : scan->objectness)
+    require(region.value > 0 && std::isfinite(log_odds), "ratings are finite");
   EstimatedLabels estimated(0.004F);
   for (const SavedEstimates& brick : scan->estimates) {
     estimated.restore(brick, std::vector<RegionId>(8, RegionId{1}));
@@ -144,6 +148,7 @@ std::vector<std::string> seeds() {
       "480}\n",
       "estimates.x=#-9\nestimates.y=#3\nfragments.voxels=#5\n",
       "estimates.cells=$0123456789abcdef\n",
+      "objectness.log_odds=~1.5\nobjectness.region=#7\n",
       "fragments.fragment=#12\nfragments.region=#3\nfragments.voxels=#77\n"};
 }
 

@@ -79,7 +79,7 @@ TEST(LabelImage, NamesTheFile_WhenItIsNoLabelImage) {
 TEST(LabelMap, MapsRegionsToColorObjectAndName) {
   const TemporaryFolder folder;
   const std::vector<LabelMapEntry> entries{{RegionId{3}, {10, 20, 30}, ObjectId{7}, "M\xC3\xBCsli \"box\""},
-                                           {RegionId{12}, {1, 2, 3}, {}, "", "", false, 7},
+                                           {RegionId{12}, {1, 2, 3}, {}, "", "", false, 7, -1.5F},
                                            {RegionId{13}, {1, 2, 3}, ObjectId{8}, "not utf-8 \xff"}};
   ASSERT_TRUE(writeLabelMap(folder / "labels.json", entries));
   const auto map = nlohmann::json::parse(test::readText(folder / "labels.json"));
@@ -91,6 +91,8 @@ TEST(LabelMap, MapsRegionsToColorObjectAndName) {
   EXPECT_TRUE(map["12"]["name"].is_null());
   EXPECT_EQ(map["12"]["image_label"], 7) << "label images hold 16 bits";
   EXPECT_FALSE(map["3"].contains("image_label")) << "it equals the id";
+  EXPECT_EQ(map["12"]["objectness"], -1.5);
+  EXPECT_FALSE(map["3"].contains("objectness")) << "it was not rated";
   ASSERT_TRUE(writeLabelMap(folder / "empty.json", {}));
   EXPECT_TRUE(nlohmann::json::parse(test::readText(folder / "empty.json")).is_object());
 }

@@ -79,6 +79,25 @@ TEST(RatedSets, RegionIsUnlikely_WhenNoLikelySetContainsIt) {
   EXPECT_FALSE(sets.isUnlikely(RegionId{99}, 0)) << "it was never rated";
 }
 
+TEST(RatedSets, RegionsHaveTheObjectnessOfTheirCompleteSet_ElseTheirOwn) {
+  RatedSets sets;
+  sets.add(1,
+           std::vector{rated({kShade}, -2), rated({kPole}, 1), rated({kShade, kPole}, 4), rated({kBox}, -3)});
+  const auto complete = sets.disjoint(0);
+  ASSERT_EQ(complete.size(), 1U);
+  // One observation counts half.
+  EXPECT_THAT(sets.ofRegions(complete),
+              testing::ElementsAre(std::pair(kShade, 2.0F), std::pair(kPole, 2.0F), std::pair(kBox, -1.5F)));
+  EXPECT_THAT(sets.ofRegions({}),
+              testing::ElementsAre(std::pair(kShade, -1.0F), std::pair(kPole, 0.5F), std::pair(kBox, -1.5F)));
+}
+
+TEST(RatedSets, RegionHasNoObjectness_WhenOnlySetsWithItWereRated) {
+  RatedSets sets;
+  sets.add(1, std::vector{rated({kShade, kPole}, -4)});
+  EXPECT_TRUE(sets.ofRegions(sets.disjoint(0)).empty());
+}
+
 TEST(RatedSets, IgnoresACandidate_WithoutObjectness) {
   Candidate unrated;
   unrated.regions = {kBox};

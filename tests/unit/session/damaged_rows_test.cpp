@@ -38,6 +38,7 @@ SavedDelta validDelta() {
   evidence.observations = 3;
   delta.borders = {{FragmentId{7}, FragmentId{9}, evidence}};
   delta.estimates = {{{1, -2, 3}, {5 | 2U << 16U, 7, 511 | 8U << 16U, 9}}};
+  delta.objectness = SavedObjectness{{RegionId{3}, 1.5F}};
   delta.operations = {{1,
                        {.kind = OperationKind::join, .regions = {RegionId{3}, RegionId{5}}},
                        {.moves = {{FragmentId{9}, RegionId{5}, RegionId{3}}},
@@ -86,8 +87,8 @@ TEST_F(SavedSessionTest, ReportsNoDamage_WhenRowsAreValid) {
   EXPECT_THAT((*store)->damages(), IsEmpty());
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
                 scan->borders.size() + scan->operations.size() + scan->pages.size() +
-                scan->recordings.size() + scan->estimates.size(),
-            10U);
+                scan->recordings.size() + scan->estimates.size() + scan->objectness.size(),
+            11U);
 }
 
 TEST_P(DamagedRowTest, SkipsAndNamesTheRow) {
@@ -99,8 +100,9 @@ TEST_P(DamagedRowTest, SkipsAndNamesTheRow) {
   EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(std::string("1 ") + GetParam().skipped)));
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
                 scan->borders.size() + scan->operations.size() + scan->pages.size() +
-                scan->recordings.size() + scan->estimates.size() + scan->metadata.size(),
-            11U);
+                scan->recordings.size() + scan->estimates.size() + scan->objectness.size() +
+                scan->metadata.size(),
+            12U);
 }
 
 QString operation(const char* regions, const char* moves, const char* constraints) {
@@ -153,6 +155,10 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"estimates of a cell twice",
                "UPDATE estimates SET cells = x'05000100070000000500010007000000'", "estimated labels"},
         Change{"estimates far away", "UPDATE estimates SET y = 4294967290", "estimated labels"},
+        Change{"rating of no region", "UPDATE objectness SET region = 0", "ratings"},
+        Change{"rating of text", "UPDATE objectness SET log_odds = 'likely'", "ratings"},
+        Change{"rating of infinity", "UPDATE objectness SET log_odds = 9e999", "ratings"},
+        Change{"rating of -1e9", "UPDATE objectness SET log_odds = -1e9", "ratings"},
         Change{"frame of 2^32", "UPDATE frames SET number = 4294967297", "frames"},
         Change{"frame -7", "UPDATE frames SET number = -7", "frames"},
         Change{"state unknown", "UPDATE frames SET state = 'banana'", "frames"},
@@ -198,6 +204,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Change{"constraint", "UPDATE borders SET said = 1", "borders"},
                     Change{"border of others", "UPDATE borders SET b = 8", "borders"},
                     Change{"estimates elsewhere", "UPDATE estimates SET z = 4", "estimated labels"},
+                    Change{"another rating", "UPDATE objectness SET log_odds = 1.25", "ratings"},
+                    Change{"rating of another region", "UPDATE objectness SET region = 4", "ratings"},
                     Change{"undone", "UPDATE operations SET state = 'undone'", "operations"},
                     Change{"another recording", "UPDATE recordings SET index_shift = 7", "recordings"},
                     Change{"moved page", "UPDATE pages SET x = 5 WHERE x = 1", "parts of the map"}));
@@ -229,6 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
         Deletion{"fragment", "DELETE FROM fragments", "1 fragments"},
         Deletion{"region", "DELETE FROM regions", "1 regions"},
         Deletion{"recording", "DELETE FROM recordings", "1 recordings"},
+        Deletion{"rating", "DELETE FROM objectness", "1 ratings"},
         Deletion{"border", "DELETE FROM borders", "1 borders"},
         Deletion{"operation", "DELETE FROM operations", "1 operations"},
         Deletion{"page", "DELETE FROM pages WHERE x = 1", "1 parts of the map"},

@@ -48,6 +48,9 @@ SavedDelta someDelta(int seed) {
                      {{10, 0, -4}, {static_cast<std::uint32_t>(seed) | 1U << 16U, 7}},
                      {{20, 0, -4}, {}}};
   if (seed == 1) delta.estimates[2].words = {5 | 2U << 16U, 7};
+  // The rating of region 5 is gone in the second delta.
+  delta.objectness = SavedObjectness{{RegionId{3}, static_cast<float>(seed) + 0.25F}};
+  if (seed == 1) (*delta.objectness)[RegionId{5}] = -4;
   delta.operations.push_back(
       {seed,
        {.kind = OperationKind::cut,
@@ -75,6 +78,20 @@ std::unique_ptr<SessionStore> created(const std::filesystem::path& folder) {
   return std::move(*store);
 }
 
+TEST(SessionStore, KeepsRatings_WhenADeltaHasNone) {
+  const TemporaryFolder folder;
+  const auto store = created(folder / "scan");
+  SavedDelta rated;
+  rated.objectness = SavedObjectness{{RegionId{3}, 1.5F}};
+  ASSERT_TRUE(store->save(rated));
+  ASSERT_TRUE(store->save(SavedDelta{}));
+  EXPECT_EQ(store->load()->objectness, *rated.objectness);
+  rated.objectness->clear();
+  ASSERT_TRUE(store->save(rated));
+  EXPECT_TRUE(store->load()->objectness.empty());
+  EXPECT_TRUE(store->damages().empty());
+}
+
 TEST(SessionStore, LoadsWhatWasSaved) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "scan";
@@ -99,6 +116,7 @@ TEST(SessionStore, LoadsWhatWasSaved) {
   EXPECT_EQ(scan->fragments[0].support_pixels, last.fragments[0].support_pixels);
   ASSERT_EQ(scan->regions.size(), 1U);
   EXPECT_EQ(scan->regions[0], last.regions[0]);
+  EXPECT_EQ(scan->objectness, (SavedObjectness{{RegionId{3}, 2.25F}}));
   ASSERT_EQ(scan->borders.size(), 1U);
   EXPECT_EQ(scan->borders[0].evidence->observations, 3.25F);
   EXPECT_EQ(scan->borders[0].evidence->appeared_together, 2);
