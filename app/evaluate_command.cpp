@@ -18,6 +18,7 @@ struct EvaluateCommand {
   std::vector<std::string> scans, truths;
   std::string scan, database;
   int delta_frames = 1;
+  bool with_estimated = false;
   SegmentationMetricOptions metrics;
   ImageEvaluation images;
 };
@@ -54,6 +55,8 @@ void checkSegmentationArguments(const EvaluateCommand& command) {
                                "give --estimate DIR --truth DIR, or --scan DIR --truth DIR (each scan "
                                "with its truth)");
   }
+  if (command.with_estimated && command.scans.empty())
+    throw CLI::ValidationError("--with-estimated", "needs --scan");
 }
 
 Result<Json> evaluateSegmentations(const EvaluateCommand& command) {
@@ -61,7 +64,7 @@ Result<Json> evaluateSegmentations(const EvaluateCommand& command) {
     return evaluateEstimate(command.estimate, command.truths.front(), command.metrics);
   std::vector<JudgedScan> scans;
   for (std::size_t i = 0; i < command.scans.size(); ++i)
-    scans.push_back({command.scans[i], command.truths[i]});
+    scans.push_back({command.scans[i], command.truths[i], command.with_estimated});
   return evaluateScans(scans, command.metrics);
 }
 
@@ -133,6 +136,8 @@ void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& c
                   "tolerance of boundary precision and recall in pixels")
       ->check(atLeast(0))
       ->type_name("PX");
+  sub->add_flag("--with-estimated", command->with_estimated,
+                "count estimated surface in the average precision, where the depth image has no reading");
   sub->add_option("--min-instance", command->metrics.min_instance_px, "ignore smaller true instances")
       ->transform(wholeNumber(1))
       ->type_name("PX");

@@ -34,6 +34,7 @@ constexpr double kSameTime_s = 0.001;      // trajectories have microseconds
 struct RegionCloud {
   std::vector<Eigen::Vector3d> points_world;
   std::vector<std::uint32_t> regions;
+  std::vector<bool> is_estimated;
 };
 
 template <class T>
@@ -49,22 +50,30 @@ Eigen::Vector3d placeAt(const char* bytes) {
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-/// Reads the layout of writePly(): `float|double x y z, uchar red green blue, uint label`.
-Result<RegionCloud> readRegionCloud(const fs::path& file) {
-  const Result<std::string> bytes = readFile(file);
-  if (!bytes) return fail(bytes.error());
-  const auto damaged = [&] {
-    return fail(file.string() + " is not the labelled cloud of a scan.", "Run the scan again.");
-  };
+/// The header of a cloud.
+struct CloudHeader {
+  std::size_t points = 0, begin = 0;  // of the data
+  bool has_doubles = false, has_estimated = false;
+
+  [[nodiscard]] std::size_t placeBytes() const { return 3 * (has_doubles ? sizeof(double) : sizeof(float)); }
+  [[nodiscard]] std::size_t stride() const {
+    return placeBytes() + 3 + sizeof(std::uint32_t) + (has_estimated ? 1 : 0);
+  }
+};
+
+/// Reads the header of writePly(): `float|double x y z, uchar red green blue, uint label, uchar estimated`.
+/// Clouds of earlier versions end at `label`. None: another one.
+std::optional<CloudHeader> headerOf(const std::string& bytes) {
   constexpr std::string_view kEnd = "end_header\n";
   constexpr std::string_view kVertices = "element vertex ";
-  const std::size_t end = bytes->find(kEnd);
-  if (end == std::string::npos) return damaged();
-  std::size_t count = 0;
+  const std::size_t end = bytes.find(kEnd);
+  if (end == std::string::npos) return std::nullopt;
+  CloudHeader header;
+  header.begin = end + kEnd.size();
   std::string layout;
   for (std::size_t at = 0; at < end;) {
-    const std::size_t line_end = bytes->find('\n', at);
-    const std::string_view line(bytes->data() + at, line_end - at);
+    const std::size_t line_end = bytes.find('\n', at);
+    const std::string_view line(bytes.data() + at, line_end - at);
     at = line_end + 1;
     if (line.starts_with("comment ")) continue;
     if (!line.starts_with(kVertices)) {
@@ -72,26 +81,37 @@ Result<RegionCloud> readRegionCloud(const fs::path& file) {
       continue;
     }
     const char* const last = line.data() + line.size();
-    const auto [parsed, failure] = std::from_chars(line.data() + kVertices.size(), last, count);
-    if (failure != std::errc{} || parsed != last) return damaged();
+    const auto [parsed, failure] = std::from_chars(line.data() + kVertices.size(), last, header.points);
+    if (failure != std::errc{} || parsed != last) return std::nullopt;
   }
   const auto layoutOf = [](const std::string& type) {
     return "ply\nformat binary_little_endian 1.0\nproperty " + type + " x\nproperty " + type +
            " y\nproperty " + type +
            " z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty uint label\n";
   };
-  const bool has_doubles = layout == layoutOf("double");
-  if (!has_doubles && layout != layoutOf("float")) return damaged();
-  const std::size_t place_bytes = 3 * (has_doubles ? sizeof(double) : sizeof(float));
-  const std::size_t stride = place_bytes + 3 + sizeof(std::uint32_t);
-  const std::size_t begin = end + kEnd.size();
-  if ((bytes->size() - begin) / stride != count || (bytes->size() - begin) % stride != 0) return damaged();
+  constexpr std::string_view kEstimated = "property uchar estimated\n";
+  header.has_estimated = layout.ends_with(kEstimated);
+  if (header.has_estimated) layout.resize(layout.size() - kEstimated.size());
+  header.has_doubles = layout == layoutOf("double");
+  return header.has_doubles || layout == layoutOf("float") ? std::optional(header) : std::nullopt;
+}
+
+Result<RegionCloud> readRegionCloud(const fs::path& file, EstimatedPoints estimated) {
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return fail(bytes.error());
+  const std::optional<CloudHeader> header = headerOf(*bytes);
+  const std::size_t data_bytes = header ? bytes->size() - header->begin : 0;
+  if (!header || data_bytes / header->stride() != header->points || data_bytes % header->stride() != 0)
+    return fail(file.string() + " is not the labelled cloud of a scan.", "Run the scan again.");
   RegionCloud cloud;
-  cloud.points_world.reserve(count);
-  cloud.regions.reserve(count);
-  for (const char* point = bytes->data() + begin; cloud.regions.size() < count; point += stride) {
-    cloud.points_world.push_back(has_doubles ? placeAt<double>(point) : placeAt<float>(point));
-    cloud.regions.push_back(valueAt<std::uint32_t>(point + place_bytes + 3));
+  const char* const end = bytes->data() + bytes->size();
+  for (const char* point = bytes->data() + header->begin; point < end; point += header->stride()) {
+    const char* const label = point + header->placeBytes() + 3;
+    const bool is_estimated = header->has_estimated && label[sizeof(std::uint32_t)] != 0;
+    if (is_estimated && estimated == EstimatedPoints::left_out) continue;
+    cloud.points_world.push_back(header->has_doubles ? placeAt<double>(point) : placeAt<float>(point));
+    cloud.regions.push_back(valueAt<std::uint32_t>(label));
+    cloud.is_estimated.push_back(is_estimated);
   }
   return cloud;
 }
@@ -167,7 +187,9 @@ void voteWith(const RgbdFrame& frame, const Intrinsics& K, const Eigen::Isometry
     const cv::Point pixel(static_cast<int>(u), static_cast<int>(v));
     const int depth = frame.depth.at<std::uint16_t>(pixel);
     const double depth_m = depth * double{frame.meters_per_unit};
-    if (depth == 0 || std::abs(depth_m - p_camera.z()) > kVisibleWithin_m) continue;
+    const bool is_visible =
+        depth == 0 ? cloud.is_estimated[i] : std::abs(depth_m - p_camera.z()) <= kVisibleWithin_m;
+    if (!is_visible) continue;
     votes[i].add(instances.at<std::uint16_t>(pixel));
   }
 }
@@ -194,7 +216,8 @@ Result<bool> collectVotes(FrameSource& source, const NumberedImages& images, con
 
 }  // namespace
 
-Result<std::optional<PointInstances>> readMapInstances(const fs::path& scan, const fs::path& truth) {
+Result<std::optional<PointInstances>> readMapInstances(const fs::path& scan, const fs::path& truth,
+                                                       EstimatedPoints estimated) {
   std::error_code ignored;
   if (!fs::exists(scan / "cloud.ply", ignored)) return std::nullopt;
   const auto source = openSource(truth.string(), {});
@@ -206,7 +229,7 @@ Result<std::optional<PointInstances>> readMapInstances(const fs::path& scan, con
   if (!images) return fail(images.error());
   const auto trajectory = readTumTrajectory(scan / "trajectory.txt");
   if (!trajectory) return fail(trajectory.error());
-  Result<RegionCloud> cloud = readRegionCloud(scan / "cloud.ply");
+  Result<RegionCloud> cloud = readRegionCloud(scan / "cloud.ply", estimated);
   if (!cloud) return fail(cloud.error());
   std::vector<InstanceVotes> votes(cloud->regions.size());
   const Result<bool> has_votes = collectVotes(**source, *images, *trajectory, *cloud, votes);

@@ -107,7 +107,8 @@ Result<Json> averagePrecisionOf(const std::vector<JudgedScan>& scans) {
   std::vector<PointInstances> scenes;
   std::string unrated;
   for (const JudgedScan& scan : scans) {
-    auto scene = readMapInstances(scan.scan, scan.truth);
+    auto scene = readMapInstances(
+        scan.scan, scan.truth, scan.with_estimated ? EstimatedPoints::included : EstimatedPoints::left_out);
     if (!scene) return fail(scene.error());
     if (!*scene) return Json();
     if ((*scene)->confidence.empty() && unrated.empty()) unrated = scan.scan;

@@ -17,6 +17,7 @@ namespace scantrove {
 struct JudgedScan {
   std::string scan;
   std::string truth;
+  bool with_estimated = false;  ///< average precision includes estimated points
 };
 
 /// Metrics over all frames with ground truth: of single frames, of regions as known at each frame, and of

@@ -34,9 +34,9 @@ namespace scantrove {
 /// With ids above 65535 regions are renumbered; labels.json uses the numbers in the masks.
 [[nodiscard]] Result<void> exportMasks(ExportJob& job);
 
-/// cloud.ply (positions, normals, colours of the scene, label) and labels.json.
+/// cloud.ply (positions, normals, colours of the scene, label, estimated) and labels.json.
 [[nodiscard]] Result<void> exportPlyCloud(ExportJob& job);
-/// cloud.pcd (PointXYZRGBL, VIEWPOINT = the first camera) and labels.json.
+/// cloud.pcd (PointXYZRGBL and estimated, VIEWPOINT = the first camera) and labels.json.
 [[nodiscard]] Result<void> exportPcdCloud(ExportJob& job);
 
 /// scene.ply .obj .glb, objects/NNNNNN_name.ply .obj .glb, labels.json. World frame, metres; GLB: y up.

@@ -37,7 +37,8 @@ Result<Eigen::Isometry3d> firstCamera(ExportJob& job) {
 Result<void> exportPlyCloud(ExportJob& job) {
   const auto cloud = readCloud(job);
   if (!cloud) return fail(cloud.error());
-  const std::string bytes = encodePly(*cloud, {.faces = false, .origin = job.scan().origin()}, kCloudComment);
+  const std::string bytes =
+      encodePly(*cloud, {.estimated = true, .faces = false, .origin = job.scan().origin()}, kCloudComment);
   SCANTROVE_TRY(job.write("cloud.ply", bytes));
   return writeLegend(job);
 }
@@ -51,7 +52,7 @@ Result<void> exportPcdCloud(ExportJob& job) {
   points.reserve(cloud->vertices.size());
   for (const SurfacePoint& p : cloud->vertices) {
     points.push_back({p.position_world_m.x(), p.position_world_m.y(), p.position_world_m.z(), p.rgb[0],
-                      p.rgb[1], p.rgb[2], p.region});
+                      p.rgb[1], p.rgb[2], p.region, static_cast<std::uint8_t>(p.is_estimated)});
   }
   const std::string bytes = encodePcd(points, *viewpoint, job.scan().origin());
   SCANTROVE_TRY(job.write("cloud.pcd", bytes));

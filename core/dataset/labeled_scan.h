@@ -36,6 +36,7 @@ struct SurfacePoint {
       Eigen::Vector3f::Zero();        ///< unit length, out of the surface; zero = unknown
   std::array<std::uint8_t, 3> rgb{};  ///< the scene's colour, sRGB
   std::uint32_t region = 0;           ///< 0 = unlabelled
+  bool is_estimated = false;          ///< no depth reading shows it; its colour is unknown
 };
 
 /// The surface of the map, or a part of it. Faces: indices of three vertices, counter-clockwise from
@@ -90,7 +91,7 @@ class LabeledScan {
                                                      const Eigen::Isometry3d& T_world_camera) = 0;
   /// The whole surface.
   [[nodiscard]] virtual Result<LabeledMesh> mesh() = 0;
-  /// Visits the points of the labelled cloud.
+  /// Visits the points of the labelled cloud: measured surface, then estimated surface.
   [[nodiscard]] virtual Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) = 0;
   /// Tracked frames in order of time, depth camera to world.
   [[nodiscard]] virtual Result<Trajectory> trajectory() = 0;

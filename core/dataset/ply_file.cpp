@@ -19,6 +19,7 @@ std::string plyHeader(const LabeledMesh& mesh, const PlyContent& content, const 
   header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   if (content.alpha) header += "property uchar alpha\n";
   if (content.label) header += "property uint label\n";
+  if (content.estimated) header += "property uchar estimated\n";
   if (content.faces) {
     header +=
         "element face " + std::to_string(mesh.faces.size()) + "\nproperty list uchar int vertex_indices\n";
@@ -41,7 +42,7 @@ std::string encodePly(const LabeledMesh& mesh, const PlyContent& content, const 
   };
   const std::size_t data_begin = bytes.size();
   const bool has_doubles = !content.origin.isZero(0);
-  constexpr std::size_t kMaxVertexBytes = 44, kFaceBytes = 13;
+  constexpr std::size_t kMaxVertexBytes = 48, kFaceBytes = 13;
   bytes.reserve(bytes.size() + mesh.vertices.size() * kMaxVertexBytes + mesh.faces.size() * kFaceBytes);
   for (const SurfacePoint& vertex : mesh.vertices) {
     for (int i = 0; i < 3; ++i) {
@@ -52,6 +53,7 @@ std::string encodePly(const LabeledMesh& mesh, const PlyContent& content, const 
     put(vertex.rgb);
     if (content.alpha) put(std::uint8_t{255});
     if (content.label) put(vertex.region);
+    if (content.estimated) put(static_cast<std::uint8_t>(vertex.is_estimated));
   }
   for (std::size_t i = 0; content.faces && i < mesh.faces.size(); ++i) {
     put(std::uint8_t{3});

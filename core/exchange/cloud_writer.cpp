@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstring>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/exchange/atomic_file.h"
@@ -38,12 +39,12 @@ void putPlace(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::s
 void putPcd(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::string& bytes) {
   putPlace(p, origin_world, bytes);
   const std::uint32_t rgba = 0xFF000000U | std::uint32_t{p.r} << 16 | std::uint32_t{p.g} << 8 | p.b;
-  put(bytes, rgba, p.label);
+  put(bytes, rgba, p.label, p.estimated);
 }
 
 void putPly(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::string& bytes) {
   putPlace(p, origin_world, bytes);
-  put(bytes, p.r, p.g, p.b, p.label);
+  put(bytes, p.r, p.g, p.b, p.label, p.estimated);
 }
 
 /// Encodes a cloud piece by piece, since a large scan's cloud is as large as its map.
@@ -63,22 +64,24 @@ Result<void> write(const std::filesystem::path& path, std::string header, const 
   });
 }
 
-/// PCL's header for points of `x y z rgba label` without padding.
+/// PCL's header for points of `x y z rgba label estimated` without padding.
 std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewpoint, bool has_doubles,
                       const std::string& comment) {
   pcl::PCLPointCloud2 cloud;
   const auto place = has_doubles ? pcl::PCLPointField::FLOAT64 : pcl::PCLPointField::FLOAT32;
-  for (const auto& [name, type] : {std::pair{"x", place},
-                                   {"y", place},
-                                   {"z", place},
-                                   {"rgba", pcl::PCLPointField::UINT32},
-                                   {"label", pcl::PCLPointField::UINT32}}) {
+  const std::uint32_t place_bytes = has_doubles ? 8 : 4;
+  for (const auto& [name, type, bytes] : {std::tuple{"x", place, place_bytes},
+                                          {"y", place, place_bytes},
+                                          {"z", place, place_bytes},
+                                          {"rgba", pcl::PCLPointField::UINT32, 4U},
+                                          {"label", pcl::PCLPointField::UINT32, 4U},
+                                          {"estimated", pcl::PCLPointField::UINT8, 1U}}) {
     pcl::PCLPointField field;
     field.name = name;
     field.datatype = static_cast<std::uint8_t>(type);
     field.count = 1;
     field.offset = cloud.point_step;
-    cloud.point_step += type == pcl::PCLPointField::FLOAT64 ? 8U : 4U;
+    cloud.point_step += bytes;
     cloud.fields.push_back(field);
   }
   cloud.width = static_cast<std::uint32_t>(points);
@@ -97,7 +100,7 @@ std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewp
 std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometry3d& T_world_viewpoint,
                       const Eigen::Vector3d& origin_world) {
   std::string bytes = pcdHeader(points.size(), T_world_viewpoint, needsDoubles(origin_world), kCloudComment);
-  constexpr std::size_t kMaxPointBytes = 3 * sizeof(double) + 2 * sizeof(std::uint32_t);
+  constexpr std::size_t kMaxPointBytes = 3 * sizeof(double) + 2 * sizeof(std::uint32_t) + 1;
   bytes.reserve(bytes.size() + points.size() * kMaxPointBytes);
   for (const LabeledPoint& point : points) putPcd(point, origin_world, bytes);
   return bytes;
@@ -117,7 +120,8 @@ Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& poi
   const std::string type = needsDoubles(origin_world) ? "double" : "float";
   for (const char* axis : {"x", "y", "z"}) header += "property " + type + " " + axis + "\n";
   header +=
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uint label\nend_header\n";
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uint label\n"
+      "property uchar estimated\nend_header\n";
   return write(path, header, points, origin_world, putPly);
 }
 

@@ -20,14 +20,14 @@ namespace scantrove {
 /// Default comment in the headers of clouds.
 inline constexpr const char* kCloudComment = "labelled cloud: metres, label = region id";
 
-/// Writes binary PCD with fields `x y z rgba label`, readable as pcl::PointXYZRGBL (float). An empty cloud is
-/// a valid file. `comment`: one line for its header. Written atomically. Error: names `path`.
+/// Writes binary PCD with fields `x y z rgba label estimated`, readable as pcl::PointXYZRGBL (float). An
+/// empty cloud is a valid file. `comment`: one line for its header. Written atomically. Error: names `path`.
 Result<void> writePcd(const std::filesystem::path& path, const LabeledCloud& points,
                       const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero(),
                       const std::string& comment = kCloudComment);
 
-/// Writes binary little-endian PLY with vertex properties `float x y z, uchar red green blue, uint label`.
-/// `comment`: as for writePcd(). Written atomically. Error: names `path`.
+/// Writes binary little-endian PLY with vertex properties `float x y z, uchar red green blue, uint label,
+/// uchar estimated`. `comment`: as for writePcd(). Written atomically. Error: names `path`.
 Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& points,
                       const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero(),
                       const std::string& comment = kCloudComment);

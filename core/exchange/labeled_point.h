@@ -9,6 +9,7 @@ struct LabeledPoint {
   float x = 0, y = 0, z = 0;
   std::uint8_t r = 0, g = 0, b = 0;
   std::uint32_t label = 0;
+  std::uint8_t estimated = 0;  ///< 1: on estimated surface, which no depth reading shows
 
   bool operator==(const LabeledPoint&) const = default;
 };

@@ -17,10 +17,52 @@ constexpr std::uint32_t kIndexBits = 16, kIndexMask = 0xffff;  // of a stored ce
 
 }  // namespace
 
-Eigen::Vector3f EstimatedLabels::centerOf(const Eigen::Vector3i& brick, std::size_t cell) const {
+Eigen::Vector3i EstimatedLabels::placeOf(std::size_t cell) {
   const auto index = static_cast<int>(cell);
-  const Eigen::Vector3i inside(index % kSide, index / kSide % kSide, index / (kSide * kSide));
-  return cell_m_ * ((kSide * brick + inside).cast<float>() + Eigen::Vector3f::Constant(0.5F));
+  return {index % kSide, index / kSide % kSide, index / (kSide * kSide)};
+}
+
+Eigen::Vector3f EstimatedLabels::centerOf(const Eigen::Vector3i& brick, std::size_t cell) const {
+  return cell_m_ * ((kSide * brick + placeOf(cell)).cast<float>() + Eigen::Vector3f::Constant(0.5F));
+}
+
+void EstimatedLabels::forEach(const Visit& visit) const {
+  for (const auto& [position, brick] : bricks_) {
+    for (std::size_t cell = 0; cell < kCells; ++cell)
+      if (brick.cells[cell].fragment) visit(centerOf(position, cell), brick.cells[cell].fragment);
+  }
+}
+
+void EstimatedLabels::forEachIn(const Eigen::Vector3i& map_brick, const Visit& visit) const {
+  const Eigen::Vector3i first = kMapBrickSide * map_brick;  // cell
+  const Eigen::Vector3i position(first.x() >> kShift, first.y() >> kShift, first.z() >> kShift);
+  const auto found = bricks_.find(position);
+  if (found == bricks_.end()) return;
+  const Eigen::Vector3i inside = first - kSide * position;
+  for (int z = inside.z(); z < inside.z() + kMapBrickSide; ++z) {
+    for (int y = inside.y(); y < inside.y() + kMapBrickSide; ++y) {
+      for (int x = inside.x(); x < inside.x() + kMapBrickSide; ++x) {
+        const auto cell = static_cast<std::size_t>(x + kSide * (y + kSide * z));
+        const FragmentId fragment = found->second.cells[cell].fragment;
+        if (fragment) visit(centerOf(position, cell), fragment);
+      }
+    }
+  }
+}
+
+std::vector<Eigen::Vector3i> EstimatedLabels::mapBricks() const {
+  std::vector<Eigen::Vector3i> bricks;
+  for (const auto& [position, brick] : bricks_) {
+    for (int i = 0; i < kMapBricks * kMapBricks * kMapBricks; ++i)
+      bricks.emplace_back(kMapBricks * position + Eigen::Vector3i(i % kMapBricks, i / kMapBricks % kMapBricks,
+                                                                  i / (kMapBricks * kMapBricks)));
+  }
+  return bricks;
+}
+
+std::vector<Eigen::Vector3i> EstimatedLabels::takeChangedMapBricks() {
+  const auto changed = std::exchange(changed_map_bricks_, {});
+  return {changed.begin(), changed.end()};
 }
 
 template <class SomeBricks, class Visit>
@@ -111,6 +153,10 @@ void EstimatedLabels::change(Bricks::value_type& entry, Cell& cell, const Cell& 
   if (cell == to) return;
   auto& [position, brick] = entry;
   if (!std::exchange(brick.is_changed, true)) changed_.push_back(position);
+  if (cell.fragment != to.fragment) {
+    const Eigen::Vector3i place = placeOf(static_cast<std::size_t>(&cell - brick.cells.data()));
+    changed_map_bricks_.emplace(kMapBricks * position + place / kMapBrickSide);
+  }
   if (cell.fragment) {
     --counts_[cell.fragment.value];
     --brick.used;

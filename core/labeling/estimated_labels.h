@@ -2,11 +2,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/fusion/kernels/brick_layout.h"
 #include "core/fusion/rendered_view.h"
 #include "core/geometry/position_order.h"
 
@@ -32,6 +35,17 @@ class EstimatedLabels {
   [[nodiscard]] const std::vector<int>& cellsOfFragments() const { return counts_; }
   [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
 
+  /// Takes the centre of a cell (world, metres) and its fragment.
+  using Visit = std::function<void(const Eigen::Vector3f& center_world, FragmentId fragment)>;
+  /// Visits all used cells, in an order that depends only on their positions.
+  void forEach(const Visit& visit) const;
+  /// Visits the used cells in a brick of the map (brick_layout.h).
+  void forEachIn(const Eigen::Vector3i& map_brick, const Visit& visit) const;
+  /// Bricks of the map that may hold used cells.
+  [[nodiscard]] std::vector<Eigen::Vector3i> mapBricks() const;
+  /// Bricks of the map in which cells got another fragment, or none, since the last call.
+  [[nodiscard]] std::vector<Eigen::Vector3i> takeChangedMapBricks();
+
   /// Cells of a cube of space, to be stored.
   struct StoredBrick {
     Eigen::Vector3i position = Eigen::Vector3i::Zero();
@@ -47,7 +61,9 @@ class EstimatedLabels {
 
  private:
   static constexpr int kVoxelsPerCell = 2;
-  static constexpr int kShift = 3, kSide = 1 << kShift;  ///< cells in a brick
+  static constexpr int kShift = 3, kSide = 1 << kShift;              ///< cells in a brick
+  static constexpr int kMapBrickSide = BRICK_SIDE / kVoxelsPerCell;  ///< cells in a brick of the map
+  static constexpr int kMapBricks = kSide / kMapBrickSide;           ///< bricks of the map along a brick
   static constexpr std::size_t kCells = std::size_t{kSide} * kSide * kSide;
   struct Cell {
     FragmentId fragment;
@@ -71,6 +87,8 @@ class EstimatedLabels {
   /// Calls `visit(entry of bricks, cell, seen)` with each used cell that projects into the view.
   template <class SomeBricks, class Visit>
   void forVisible(SomeBricks& bricks, const RenderedView& view, const Visit& visit) const;
+  /// The place of a cell in its brick, in cells.
+  [[nodiscard]] static Eigen::Vector3i placeOf(std::size_t cell);
   [[nodiscard]] Eigen::Vector3f centerOf(const Eigen::Vector3i& brick, std::size_t cell) const;
   void set(const Eigen::Vector3f& vertex_world, FragmentId fragment);
   /// Replaces a cell of a brick and counts.
@@ -80,6 +98,7 @@ class EstimatedLabels {
   Bricks bricks_;
   std::vector<int> counts_;               // cells by fragment
   std::vector<Eigen::Vector3i> changed_;  // bricks, some of them gone
+  std::set<Eigen::Vector3i, PositionOrder> changed_map_bricks_;
 };
 
 }  // namespace scantrove

@@ -109,18 +109,24 @@ Result<void> ScanOutput::writeCloud(MappingPipeline& pipeline, const Regions& re
   LabeledCloud points;
   std::map<RegionId, LabelMapEntry> entries;
   FirstError outcome;
-  const auto add = [&](const LabelPoint& point) {
-    const RegionId region = pipeline.labels().table().regionOf(FragmentId{point.fragment});
+  const auto add = [&](const Eigen::Vector3f& p, RegionId region, bool is_estimated) {
     auto place = entries.find(region);
     if (place == entries.end()) place = entries.emplace(region, entryOf(region, regions)).first;
     const LabelMapEntry& entry = place->second;
-    points.push_back(
-        {point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], region.value});
+    points.push_back({p.x(), p.y(), p.z(), entry.color[0], entry.color[1], entry.color[2], region.value,
+                      static_cast<std::uint8_t>(is_estimated)});
   };
+  const RegionTable& table = pipeline.labels().table();
   // If device or memory fails, the points read so far are written.
-  outcome.note(
-      guarded("reading out the labelled cloud", [&] { return pipeline.readout().forEachCloudPoint(add); }));
+  outcome.note(guarded("reading out the labelled cloud", [&] {
+    return pipeline.readout().forEachCloudPoint([&](const LabelPoint& point) {
+      add({point.x, point.y, point.z}, table.regionOf(FragmentId{point.fragment}), false);
+    });
+  }));
   cloud_points_ = points.size();
+  pipeline.labels().estimated().forEach([&](const Eigen::Vector3f& point, FragmentId fragment) {
+    if (const RegionId region = table.regionOf(fragment)) add(point, region, true);
+  });
   std::vector<LabelMapEntry> list;
   for (auto& [region, entry] : entries) list.push_back(std::move(entry));
   // Later edits of the session do not change these files, so they state their date.

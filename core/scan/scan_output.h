@@ -51,7 +51,7 @@ class ScanOutput {
                                     const ScanReport& report, const FinalLabelImages::StoreRecord& store);
   /// Images that finish() could not draw, for the user.
   [[nodiscard]] const std::vector<Error>& remarks() const { return final_labels_.remarks(); }
-  /// The images that finish() wrote.
+  /// Measured points of the cloud that finish() wrote.
   [[nodiscard]] std::size_t cloudPoints() const { return cloud_points_; }
 
  private:

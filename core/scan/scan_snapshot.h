@@ -27,7 +27,7 @@ struct CloudBrick {
     PackedColor color{};  ///< the scene's colour
     std::int8_t height =
         0;  ///< of the voxel's centre over the surface, along the normal; kHeightSteps = a voxel
-    PackedNormal normal{};  ///< out of the surface
+    PackedNormal normal{};  ///< out of the surface; none: unknown, or estimated surface
 
     static constexpr float kHeightSteps = 100;
     [[nodiscard]] Eigen::Vector3f center() const { return {x, y, z}; }

@@ -60,6 +60,13 @@ CloudBrick::Point cloudPoint(const LabelPoint& point) {
   return packed;
 }
 
+/// Without colour and normal. Every second voxel along each axis holds one, so that they look sparse. They
+/// lie in the middle of a voxel, because the window thins out points by their voxels.
+CloudBrick::Point estimatedPoint(const Eigen::Vector3f& center, FragmentId fragment, float voxel_size_m) {
+  const Eigen::Vector3f place = center - Eigen::Vector3f::Constant(voxel_size_m / 2);
+  return {place.x(), place.y(), place.z(), fragment};
+}
+
 }  // namespace
 
 void SnapshotBuilder::measureRate() {
@@ -94,6 +101,7 @@ void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
 
 void SnapshotBuilder::restart(MappingPipeline& given_up) {
   addBricks(given_up.readout().allBricks());
+  addBricks(given_up.labels().estimated().mapBricks());
   trail_.clear();
 }
 
@@ -219,6 +227,10 @@ Result<void> SnapshotBuilder::readBricks(MappingPipeline& pipeline,
     for (const LabelPoint& point : points) {
       if (is_shown(point)) brick.points.push_back(cloudPoint(point));
     }
+    pipeline.labels().estimated().forEachIn(
+        brick.position, [&](const Eigen::Vector3f& center, FragmentId fragment) {
+          brick.points.push_back(estimatedPoint(center, fragment, pipeline.bricks().voxelSize()));
+        });
     to.push_back(std::move(brick));
   }
   return {};
@@ -227,6 +239,7 @@ Result<void> SnapshotBuilder::readBricks(MappingPipeline& pipeline,
 Result<void> SnapshotBuilder::addChangedBricks(MappingPipeline& pipeline, Bricks which,
                                                ScanSnapshot& snapshot) {
   ++version_;
+  addBricks(pipeline.labels().estimated().takeChangedMapBricks());
   std::vector<CloudBrick> changed;
   std::vector<WaitingBricks::Brick> bricks;
   do {

@@ -1,6 +1,8 @@
 #include "core/session/session_scan.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -11,6 +13,13 @@
 #include "core/session/key_frame_files.h"
 
 namespace scantrove {
+namespace {
+
+/// Grey.
+constexpr std::array<std::uint8_t, 3> kUnknownColor{128, 128, 128};
+
+}  // namespace
+
 SessionScan::SessionScan(OpenSession& session) : session_(session) {
   std::map<int, const SavedFrame*> frames;
   for (const SavedFrame& frame : session.frames()) frames[frame.number] = &frame;
@@ -124,13 +133,19 @@ Result<LabeledMesh> SessionScan::mesh() {
 }
 
 Result<void> SessionScan::forEachPoint(const std::function<void(const SurfacePoint&)>& give) {
-  return session_.pipeline().readout().forEachCloudPoint([&](const LabelPoint& point) {
+  SCANTROVE_TRY(session_.pipeline().readout().forEachCloudPoint([&](const LabelPoint& point) {
     const auto byte = [](unsigned value) { return static_cast<std::uint8_t>(value); };
     give({{point.x, point.y, point.z},
           {point.normal_x, point.normal_y, point.normal_z},
           {byte(COLOR_RED(point.color)), byte(COLOR_GREEN(point.color)), byte(COLOR_BLUE(point.color))},
           regionOf(point.fragment)});
+  }));
+  session_.pipeline().labels().estimated().forEach([&](const Eigen::Vector3f& point, FragmentId fragment) {
+    SurfacePoint estimated{.position_world_m = point, .rgb = kUnknownColor, .is_estimated = true};
+    estimated.region = regionOf(fragment.value);
+    if (estimated.region != 0) give(estimated);
   });
+  return {};
 }
 
 Result<Trajectory> SessionScan::trajectory() {

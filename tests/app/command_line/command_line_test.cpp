@@ -192,6 +192,8 @@ TEST(CommandLine, RefusesSegmentationEvaluation_WithoutOneTruthPerScan) {
   expectRefused(evaluate({}), {"--scan"});
   expectRefused(evaluate({"--scan", "scan", "--estimate", "scan"}), {"--scan"});
   expectRefused(evaluate({"--scan", "scan", "--scan", "scan"}), {"each scan with its truth"});
+  expectCommand(evaluate({"--scan", "scan", "--with-estimated"}));
+  expectRefused(evaluate({"--estimate", "labels", "--with-estimated"}), {"--with-estimated", "--scan"});
 }
 
 TEST(CommandLine, RefusesScreenshot_WhenTheFileExists) {

@@ -4,28 +4,16 @@
 #include <set>
 
 #include "core/pipeline/mapping_pipeline.h"
+#include "tests/support/table_with_glass.h"
 
 namespace scantrove {
 namespace {
 
-constexpr Intrinsics kOverTable{570, 570, 319.5F, 239.5F, 640, 480};
-const cv::Rect kBox(270, 190, 100, 100);  // rises by 8 cm
-const cv::Rect kSheet(80, 80, 100, 70);   // of paper: has no height
-const cv::Rect kGlass(450, 320, 60, 80);  // has no depth
-const cv::Scalar kWood(90, 140, 190), kPaper(240, 240, 240), kBlue(160, 60, 40);
-
-/// A table from above, 1 m away, with a box, a sheet of paper and something without depth.
-RgbdFrame tableFrame() {
-  RgbdFrame frame;
-  frame.depth = cv::Mat(480, 640, CV_16UC1, cv::Scalar(1000));
-  frame.depth(kBox).setTo(920);
-  frame.depth(kGlass).setTo(0);
-  frame.color = cv::Mat(480, 640, CV_8UC3, kWood);
-  frame.color(kBox).setTo(cv::Scalar(60, 160, 60));
-  frame.color(kSheet).setTo(kPaper);
-  frame.color(kGlass).setTo(kBlue);
-  return frame;
-}
+using test::kBoxOnTable;
+using test::kGlassOnTable;
+using test::kOverTable;
+using test::kSheetOnTable;
+using test::tableFrame;
 
 class ObjectsOnSupportsTest : public testing::Test {
  protected:
@@ -63,7 +51,8 @@ TEST_F(ObjectsOnSupportsTest, BoxSheetAndHoleInDepthAreRegionsOfTheirOwn) {
   const FrameResult result = process(LabelingParams::Rule::graph);
   const RegionId table = regionIn(result, {20, 400, 60, 60});
   std::set<RegionId> regions{table};
-  for (const cv::Rect& place : {kBox, kSheet, kGlass}) regions.insert(regionIn(result, place));
+  for (const cv::Rect& place : {kBoxOnTable, kSheetOnTable, kGlassOnTable})
+    regions.insert(regionIn(result, place));
   EXPECT_TRUE(table);
   EXPECT_EQ(regions.size(), 4U);
   EXPECT_FALSE(regions.contains(RegionId{}));
@@ -80,8 +69,8 @@ TEST_F(ObjectsOnSupportsTest, ThesisRuleTakesSegmentsAsTheyAre) {
   const FrameResult result = process(LabelingParams::Rule::thesis);
   EXPECT_TRUE(result.segments.roles.empty());
   EXPECT_TRUE(result.segments.is_estimated.empty());
-  EXPECT_EQ(regionIn(result, kSheet), regionIn(result, {20, 400, 60, 60}));
-  EXPECT_FALSE(regionIn(result, kGlass));
+  EXPECT_EQ(regionIn(result, kSheetOnTable), regionIn(result, {20, 400, 60, 60}));
+  EXPECT_FALSE(regionIn(result, kGlassOnTable));
 }
 
 }  // namespace

@@ -39,6 +39,34 @@ TEST(PlyExport, ReadsBackInPcl) {
   EXPECT_EQ(exported.summary.points, truth.vertices.size());
 }
 
+TEST(CloudExports, MarkEstimatedPoints) {
+  const auto change = [](ScannedScene& scene) {
+    scene.estimated = {
+        {.position_world_m = {1, 2, 3}, .rgb = {128, 128, 128}, .region = kBall, .is_estimated = true}};
+  };
+  const Exported exported(DatasetFormat::ply, change);
+  const PlyFile ply(exported.text("cloud.ply"));
+  EXPECT_EQ(ply.properties.back(), "uchar estimated");
+  const std::vector<double>& marks = ply.values.at("estimated");
+  EXPECT_EQ(std::count(marks.begin(), marks.end(), 1.0), 1);
+  EXPECT_EQ(marks.back(), 1);
+  EXPECT_EQ(ply.values.at("label").back(), kBall);
+  EXPECT_EQ(ply.values.at("y").back(), 2);
+  EXPECT_EQ(exported.summary.points, ply.size());
+
+  const Exported pcd(DatasetFormat::pcd, change);
+  pcl::PCLPointCloud2 cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile(pcd.file("cloud.pcd").string(), cloud), 0);
+  ASSERT_EQ(cloud.fields.back().name, "estimated");
+  EXPECT_EQ(cloud.data.back(), 1);
+  EXPECT_EQ(cloud.data[cloud.fields.back().offset], 0);
+}
+
+TEST(MeshExport, HasNoEstimatedProperty) {
+  const std::string bytes = encodePly(LabeledMesh{}, {}, "metres");
+  EXPECT_EQ(bytes.find("estimated"), std::string::npos);
+}
+
 TEST(EncodePly, DataNeverBeginWithALineFeed) {
   // assimp skips line ends after the header, so data that begin with one would be misread and refused.
   LabeledMesh mesh;

@@ -96,7 +96,8 @@ class ScannedScene : public LabeledScan {
   std::set<int> without_color, with_damaged_color, with_damaged_depth;
   double depth_noise_px = 0.08;
   bool map_is_damaged = false;
-  std::uint32_t divided = 0;  ///< a region whose middle band is unlabelled, which leaves two pieces
+  std::vector<SurfacePoint> estimated;  ///< more points of the cloud
+  std::uint32_t divided = 0;            ///< a region whose middle band is unlabelled, which leaves two pieces
   std::function<void(int)> on_render = [](int) {};
 
   static std::vector<LabeledRegion> standardLabels() {
@@ -190,6 +191,7 @@ class ScannedScene : public LabeledScan {
   [[nodiscard]] Result<LabeledMesh> mesh() override { return surface(); }
   [[nodiscard]] Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) override {
     for (const SurfacePoint& point : surface().vertices) give(point);
+    for (const SurfacePoint& point : estimated) give(point);
     return {};
   }
   [[nodiscard]] Result<Trajectory> trajectory() override {

@@ -11,6 +11,7 @@
 
 #include "tests/support/poses.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/dataset/ply_reader.h"
 
 namespace scantrove {
 namespace {
@@ -51,7 +52,7 @@ TEST(CloudWriter, ReadsBackEqual_WhenWrittenAsPcd) {
   ASSERT_EQ(pcl::io::loadPCDFile((folder / "cloud.pcd").string(), cloud), 0);
   EXPECT_EQ(fromPcl(cloud), points);
   const std::string header = test::readText(folder / "cloud.pcd").substr(0, 300);
-  EXPECT_NE(header.find("FIELDS x y z rgba label\n"), std::string::npos);
+  EXPECT_NE(header.find("FIELDS x y z rgba label estimated\n"), std::string::npos);
   EXPECT_NE(header.find("DATA binary\n"), std::string::npos);
 }
 
@@ -75,6 +76,25 @@ TEST(CloudWriter, ReadsBackEqual_WhenWrittenAsPly) {
   PclCloud cloud;
   ASSERT_EQ(pcl::io::loadPLYFile((folder / "cloud.ply").string(), cloud), 0);
   EXPECT_EQ(fromPcl(cloud), points);
+}
+
+TEST(CloudWriter, MarksEstimatedPoints) {
+  const TemporaryFolder folder;
+  LabeledCloud points = somePoints(5);
+  points[1].estimated = points[4].estimated = 1;
+  ASSERT_TRUE(writePcd(folder / "cloud.pcd", points));
+  ASSERT_TRUE(writePly(folder / "cloud.ply", points));
+  pcl::PCLPointCloud2 pcd;
+  ASSERT_EQ(pcl::io::loadPCDFile((folder / "cloud.pcd").string(), pcd), 0);
+  ASSERT_EQ(pcd.fields.back().name, "estimated");
+  ASSERT_EQ(pcd.fields.back().datatype, pcl::PCLPointField::UINT8);
+  const test::PlyFile ply(test::readText(folder / "cloud.ply"));
+  EXPECT_EQ(ply.properties.back(), "uchar estimated");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(pcd.data[i * pcd.point_step + pcd.fields.back().offset], points[i].estimated) << i;
+    EXPECT_EQ(ply.values.at("estimated")[i], points[i].estimated) << i;
+    EXPECT_EQ(ply.values.at("label")[i], points[i].label) << i;
+  }
 }
 
 double coordinateIn(const pcl::PCLPointCloud2& cloud, std::size_t point, std::size_t axis) {
@@ -124,7 +144,7 @@ TEST(CloudWriter, WritesAFileWithoutPoints_WhenTheCloudIsEmpty) {
   pcl::PCLPointCloud2 cloud;
   pcl::PCDReader().readHeader((folder / "cloud.pcd").string(), cloud);
   EXPECT_EQ(cloud.width * cloud.height, 0U);
-  EXPECT_EQ(cloud.fields.size(), 5U);
+  EXPECT_EQ(cloud.fields.size(), 6U);
   EXPECT_NE(test::readText(folder / "cloud.ply").find("element vertex 0\n"), std::string::npos);
 }
 

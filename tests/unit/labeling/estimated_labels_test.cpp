@@ -274,5 +274,57 @@ TEST(EstimatedLabels, CellsOfDeletedFragmentsAreNotRestored) {
   EXPECT_TRUE(copy.isEmpty());
 }
 
+/// Centres and fragments of the visited cells.
+using VisitedCells = std::vector<std::pair<Eigen::Vector3f, FragmentId>>;
+
+VisitedCells allCells(const EstimatedLabels& labels) {
+  VisitedCells cells;
+  labels.forEach(
+      [&](const Eigen::Vector3f& center, FragmentId fragment) { cells.emplace_back(center, fragment); });
+  return cells;
+}
+
+VisitedCells cellsIn(const EstimatedLabels& labels, const Eigen::Vector3i& map_brick) {
+  VisitedCells cells;
+  labels.forEachIn(map_brick, [&](const Eigen::Vector3f& center, FragmentId fragment) {
+    cells.emplace_back(center, fragment);
+  });
+  return cells;
+}
+
+TEST(EstimatedLabels, EveryCellIsVisitedInItsBrickOfTheMap) {
+  EstimatedLabels labels(kVoxel_m);
+  for (const auto& [u, v] : {std::pair{0, 0}, std::pair{31, 23}, std::pair{63, 47}})
+    writeEstimate(labels, emptyViewFrom(), u, v, 1, kGlass);
+  writeEstimate(labels, emptyViewFrom(), 10, 40, 2, kBottle);
+  const VisitedCells all = allCells(labels);
+  ASSERT_EQ(all.size(), 4U);
+  constexpr float kMapBrick_m = 8 * kVoxel_m;
+  for (const auto& [center, fragment] : all) {
+    const Eigen::Vector3i brick = (center / kMapBrick_m).array().floor().cast<int>();
+    const VisitedCells here = cellsIn(labels, brick);
+    EXPECT_EQ(std::count(here.begin(), here.end(), std::pair(center, fragment)), 1) << center.transpose();
+    const std::vector<Eigen::Vector3i> bricks = labels.mapBricks();
+    EXPECT_EQ(std::count(bricks.begin(), bricks.end(), brick), 1);
+  }
+  std::size_t visited = 0;
+  for (const Eigen::Vector3i& brick : labels.mapBricks()) visited += cellsIn(labels, brick).size();
+  EXPECT_EQ(visited, all.size());
+  EXPECT_TRUE(cellsIn(labels, {100, 0, 0}).empty());
+}
+
+TEST(EstimatedLabels, ChangedBricksOfTheMapAreThoseWithOtherFragments) {
+  EstimatedLabels labels(kVoxel_m);
+  writeEstimate(labels, emptyViewFrom(), 31, 23, 1, kGlass);
+  const std::vector<Eigen::Vector3i> first = labels.takeChangedMapBricks();
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(cellsIn(labels, first.front()).size(), 1U);
+  writeEstimate(labels, emptyViewFrom(), 31, 23, 1, kGlass, 2);
+  EXPECT_TRUE(labels.takeChangedMapBricks().empty()) << "only the confidence grew";
+  observe(labels, measuredWall(1));
+  EXPECT_EQ(labels.takeChangedMapBricks(), first) << "the cell is gone";
+  EXPECT_TRUE(allCells(labels).empty());
+}
+
 }  // namespace
 }  // namespace scantrove
