@@ -66,6 +66,7 @@ readers() {
   for command in show regions history; do
     "$check" "session $command, $what" "$program" session "$command" "$scan"
   done
+  "$check" "session suggest, $what" "$program" session suggest "$scan" --masks rec
   "$check" "objects list, $what" "$program" objects list --database "$scan/catalogue.sqlite"
   "$check" "evaluate trajectory, $what" "$program" evaluate trajectory --estimate "$scan/trajectory.txt" --truth rec
   "$check" "evaluate segmentation, $what" "$program" evaluate segmentation --estimate "$scan" --truth rec
