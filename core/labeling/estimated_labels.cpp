@@ -26,14 +26,14 @@ Eigen::Vector3f EstimatedLabels::centerOf(const Eigen::Vector3i& brick, std::siz
   return cell_m_ * ((kSide * brick + placeOf(cell)).cast<float>() + Eigen::Vector3f::Constant(0.5F));
 }
 
-void EstimatedLabels::forEach(const Visit& visit) const {
+void EstimatedLabels::forEach(const VisitCell& visit) const {
   for (const auto& [position, brick] : bricks_) {
     for (std::size_t cell = 0; cell < kCells; ++cell)
       if (brick.cells[cell].fragment) visit(centerOf(position, cell), brick.cells[cell].fragment);
   }
 }
 
-void EstimatedLabels::forEachIn(const Eigen::Vector3i& map_brick, const Visit& visit) const {
+void EstimatedLabels::forEachIn(const Eigen::Vector3i& map_brick, const VisitCell& visit) const {
   const Eigen::Vector3i first = kMapBrickSide * map_brick;  // cell
   const Eigen::Vector3i position(first.x() >> kShift, first.y() >> kShift, first.z() >> kShift);
   const auto found = bricks_.find(position);

@@ -36,11 +36,11 @@ class EstimatedLabels {
   [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
 
   /// Takes the centre of a cell (world, metres) and its fragment.
-  using Visit = std::function<void(const Eigen::Vector3f& center_world, FragmentId fragment)>;
+  using VisitCell = std::function<void(const Eigen::Vector3f& center_world, FragmentId fragment)>;
   /// Visits all used cells, in an order that depends only on their positions.
-  void forEach(const Visit& visit) const;
+  void forEach(const VisitCell& visit) const;
   /// Visits the used cells in a brick of the map (brick_layout.h).
-  void forEachIn(const Eigen::Vector3i& map_brick, const Visit& visit) const;
+  void forEachIn(const Eigen::Vector3i& map_brick, const VisitCell& visit) const;
   /// Bricks of the map that may hold used cells.
   [[nodiscard]] std::vector<Eigen::Vector3i> mapBricks() const;
   /// Bricks of the map in which cells got another fragment, or none, since the last call.

@@ -118,7 +118,8 @@ void MaskEvidence::add(const RenderedView& view, std::span<const PixelMask> mask
     return static_cast<std::size_t>(std::ranges::lower_bound(coverage.regions, region) -
                                     coverage.regions.begin());
   };
-  for (const auto& [border, pixels] : RegionContacts(view).pixels()) {
+  const RegionContacts contacts(view);
+  for (const auto& [border, pixels] : contacts.pixels()) {
     const std::size_t a = placeOf(border.first), b = placeOf(border.second);
     if (pixels < kMinContact_px || std::min(coverage.areas_px[a], coverage.areas_px[b]) < least_px) continue;
     MaskVote vote;

@@ -25,11 +25,11 @@ constexpr float kSameSurface_m = 0.02F;
 /// The part of a side's points that a frame must show.
 constexpr float kMinSeen = 0.5F;
 
-enum Side : std::uint8_t { kNeither, kHere, kThere };
+enum PartingSide : std::uint8_t { kNeither, kHere, kThere };
 
 /// The sides of a region in a view, by pixel.
-std::vector<Side> sidesOf(RegionId region, const PixelMask& mask, const RenderedView& view) {
-  std::vector<Side> sides(view.regions.size(), kNeither);
+std::vector<PartingSide> sidesOf(RegionId region, const PixelMask& mask, const RenderedView& view) {
+  std::vector<PartingSide> sides(view.regions.size(), kNeither);
   for (std::size_t pixel = 0; pixel < sides.size(); ++pixel)
     if (view.regions[pixel] == region) sides[pixel] = kThere;
   for (const std::uint32_t pixel : mask)
@@ -41,8 +41,8 @@ std::vector<Side> sidesOf(RegionId region, const PixelMask& mask, const Rendered
 }
 
 /// Whether the pixel lies on its side by `distance_px` in eight directions.
-bool isInward(int x, int y, int distance_px, const std::vector<Side>& sides, const Intrinsics& K) {
-  const Side side = sides[K.indexOf(x, y)];
+bool isInward(int x, int y, int distance_px, const std::vector<PartingSide>& sides, const Intrinsics& K) {
+  const PartingSide side = sides[K.indexOf(x, y)];
   for (const int dy : {-distance_px, 0, distance_px}) {
     for (const int dx : {-distance_px, 0, distance_px}) {
       if (!K.isInside(x + dx, y + dy) || sides[K.indexOf(x + dx, y + dy)] != side) return false;
@@ -52,7 +52,7 @@ bool isInward(int x, int y, int distance_px, const std::vector<Side>& sides, con
 }
 
 /// Points of a side that lie far from the outline and are spread over it; empty: it is too narrow.
-std::vector<Eigen::Vector3f> pointsOf(Side side, const std::vector<Side>& sides, const RenderedView& view) {
+std::vector<Eigen::Vector3f> pointsOf(PartingSide side, const std::vector<PartingSide>& sides, const RenderedView& view) {
   for (const int distance_px : kInward_px) {
     std::vector<std::size_t> pixels;
     for (int y = 0; y < view.K.height; ++y) {
@@ -125,7 +125,7 @@ void MaskPartings::find(const RenderedView& view, std::span<const PixelMask> mas
     if (smaller_px < least_px ||
         static_cast<float>(smaller_px) < kMinSidePart * static_cast<float>(coverage.areas_px[region]))
       continue;
-    const std::vector<Side> sides = sidesOf(coverage.regions[region], masks[best[region].mask], view);
+    const std::vector<PartingSide> sides = sidesOf(coverage.regions[region], masks[best[region].mask], view);
     MaskParting parting{
         coverage.regions[region], pointsOf(kHere, sides, view), pointsOf(kThere, sides, view), {}};
     if (!parting.here_world.empty() && !parting.there_world.empty()) keep({smaller_px, std::move(parting)});

@@ -17,8 +17,8 @@ constexpr float kMostlySupport = 0.6F, kOddsOfSupport = -4;
 float ObjectnessEvidence::logOdds() const {
   static const BoostedTrees model = BoostedTrees::embedded(models::objectness, namesOf(kObjectnessFeatures));
   std::array values = valuesOf(kObjectnessFeatures, *this);
-  const float odds = model.logOdds(values);
-  return support > kMostlySupport ? std::min(odds, kOddsOfSupport) : odds;
+  const float by_model = model.logOdds(values);
+  return support > kMostlySupport ? std::min(by_model, kOddsOfSupport) : by_model;
 }
 
 }  // namespace scantrove

@@ -61,15 +61,15 @@ TEST(MaskEvidence, FrameSaysNothing_WhenItsMasksContradict) {
 TEST(MaskEvidence, CountsFrames) {
   const RenderedView view = halvesOf(PaintedFrame::corner(0));
   MaskEvidence evidence;
-  for (int frame = 0; frame < 3; ++frame) evidence.add(view, std::vector{maskOf(PaintedFrame::kAll)});
-  evidence.add(view, std::vector{maskOf(PaintedFrame::kLeft)});
+  for (int frame = 0; frame < 3; ++frame) evidence.add(view, std::vector<PixelMask>{maskOf(PaintedFrame::kAll)});
+  evidence.add(view, std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   ASSERT_EQ(evidence.borders().size(), 1U);
   EXPECT_EQ(evidence.borders().at(kBorderOfHalves), (MaskVotes{3, 1}));
 }
 
 TEST(MaskEvidence, RegionsHaveNoBorder_WhenOneOccludesTheOther) {
   MaskEvidence evidence;
-  evidence.add(halvesOf(PaintedFrame::step(0.3F)), std::vector{maskOf(PaintedFrame::kAll)});
+  evidence.add(halvesOf(PaintedFrame::step(0.3F)), std::vector<PixelMask>{maskOf(PaintedFrame::kAll)});
   EXPECT_THAT(evidence.borders(), IsEmpty());
 }
 
@@ -83,7 +83,7 @@ TEST(MaskEvidence, UnlabelledGapsOfTwoPixelsAreBridged) {
 
 TEST(MaskCoverage, CountsThePixelsOfEachRegion) {
   const RenderedView view = halvesOf(PaintedFrame::corner(0));
-  const MaskCoverage coverage = coverageOf(view, std::vector{maskOf({0, 0, 39, 47}), PixelMask{}});
+  const MaskCoverage coverage = coverageOf(view, std::vector<PixelMask>{maskOf({0, 0, 39, 47}), PixelMask{}});
   EXPECT_THAT(coverage.regions, testing::ElementsAre(kRightRegion, kLeftRegion));
   EXPECT_THAT(coverage.areas_px, testing::ElementsAre(32 * 48, 32 * 48));
   EXPECT_EQ(coverage.part(0, 0), 0.25F) << "8 of 32 columns";

@@ -18,7 +18,7 @@ RenderedView wholeWall() { return withRegions(PaintedFrame::corner(0), {{Painted
 /// Partings by the left half in the first frame, counted in frames with these masks.
 MaskVotes votesAfter(const std::vector<std::vector<PixelMask>>& frames) {
   MaskPartings partings;
-  partings.find(wholeWall(), std::vector{maskOf(PaintedFrame::kLeft)});
+  partings.find(wholeWall(), std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   for (const std::vector<PixelMask>& masks : frames) partings.count(wholeWall(), masks);
   const std::vector<MaskParting> best = partings.best();
   EXPECT_EQ(best.size(), 1U);
@@ -27,7 +27,7 @@ MaskVotes votesAfter(const std::vector<std::vector<PixelMask>>& frames) {
 
 TEST(MaskPartings, OutlineOfAMaskHasPointsOnBothSides) {
   MaskPartings partings;
-  partings.find(wholeWall(), std::vector{maskOf(PaintedFrame::kLeft)});
+  partings.find(wholeWall(), std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   ASSERT_EQ(partings.best().size(), 1U);
   const MaskParting parting = partings.best().front();
   EXPECT_EQ(parting.region, kWhole);
@@ -64,20 +64,20 @@ TEST(MaskPartings, FrameSaysNothing_WhenNoMaskHoldsASideOrMasksContradict) {
 
 TEST(MaskPartings, FrameSaysNothing_WhenASideIsHidden) {
   MaskPartings partings;
-  partings.find(wholeWall(), std::vector{maskOf(PaintedFrame::kLeft)});
+  partings.find(wholeWall(), std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   const RenderedView hidden =
       withRegions(PaintedFrame::corner(0), {{PaintedFrame::kLeft, kWhole}, {PaintedFrame::kRight, kInFront}});
-  partings.count(hidden, std::vector{maskOf(PaintedFrame::kLeft)});
+  partings.count(hidden, std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   EXPECT_EQ(partings.best().front().votes, MaskVotes{});
   // The right half 0.3 m behind is another surface.
   const RenderedView behind = withRegions(PaintedFrame::step(0.3F), {{PaintedFrame::kAll, kWhole}});
-  partings.count(behind, std::vector{maskOf(PaintedFrame::kLeft)});
+  partings.count(behind, std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   EXPECT_EQ(partings.best().front().votes, MaskVotes{});
 }
 
 TEST(MaskPartings, MaskPartsNothing_WhenItCoversAllOrAStripOfTheRegion) {
   MaskPartings partings;
-  partings.find(wholeWall(), std::vector{maskOf(PaintedFrame::kAll), maskOf({0, 0, 3, 47}), PixelMask{}});
+  partings.find(wholeWall(), std::vector<PixelMask>{maskOf(PaintedFrame::kAll), maskOf({0, 0, 3, 47}), PixelMask{}});
   EXPECT_THAT(partings.best(), IsEmpty()) << "4 of 64 columns are 6 %";
 }
 
@@ -86,7 +86,7 @@ TEST(MaskPartings, EstimatedSurfaceIsNoSide) {
   view.is_estimated.assign(PaintedFrame::kPixels, 0);
   PaintedFrame::fill(view.is_estimated, PaintedFrame::kRight, std::uint8_t{1});
   MaskPartings partings;
-  partings.find(view, std::vector{maskOf(PaintedFrame::kLeft)});
+  partings.find(view, std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   EXPECT_THAT(partings.best(), IsEmpty());
 }
 
