@@ -92,7 +92,7 @@ std::string countText(std::size_t count, const char* what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-void printSummary(const MaskSuggestions& suggestions, const SessionArguments& arguments) {
+void printSuggestionCounts(const MaskSuggestions& suggestions, const SessionArguments& arguments) {
   std::cerr << countText(suggestions.proposals.size(), "proposal") << " from "
             << countText(suggestions.masks, "mask") << " of "
             << countText(suggestions.key_frames, "key frame");
@@ -143,7 +143,7 @@ Result<void> suggestFromMasks(OpenSession& session, const SessionArguments& argu
     printAsJson(*suggestions, applied, session.setup().origin_m);
   } else {
     printAsText(session, *suggestions, applied);
-    printSummary(*suggestions, arguments);
+    printSuggestionCounts(*suggestions, arguments);
   }
   return checkApplied(applied);
 }

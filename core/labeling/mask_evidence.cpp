@@ -10,9 +10,9 @@
 namespace scantrove {
 namespace {
 
-/// A mask holds what it covers by kInside and leaves out what it covers by kOutside: outlines of masks and
+/// A mask holds what it covers by kHeld and leaves out what it covers by kLeftOut: outlines of masks and
 /// of the map differ by some pixels.
-constexpr float kInside = 0.7F, kOutside = 0.3F;
+constexpr float kHeld = 0.7F, kLeftOut = 0.3F;
 /// Regions with fewer visible pixels say nothing, of 640 x 480.
 constexpr double kMinVisible_px = 120;
 /// Contacts of fewer pixel pairs say nothing.
@@ -66,9 +66,9 @@ class RegionContacts {
 
 void MaskVote::add(float part_a, float part_b) {
   const auto [less, more] = std::minmax(part_a, part_b);
-  if (less >= kInside) {
+  if (less >= kHeld) {
     holds_both_ = true;
-  } else if (more >= kInside && less <= kOutside) {
+  } else if (more >= kHeld && less <= kLeftOut) {
     parts_ = true;
   }
 }
