@@ -124,7 +124,8 @@ Result<std::map<std::uint32_t, double>> readRatings(const fs::path& file) {
   const Result<std::string> text = readFile(file);
   if (!text) return fail(text.error());
   try {
-    for (const auto& [region, entry] : nlohmann::json::parse(*text).items()) {
+    const nlohmann::json labels = nlohmann::json::parse(*text);
+    for (const auto& [region, entry] : labels.items()) {
       std::uint32_t number = 0;
       const auto parsed = std::from_chars(region.data(), region.data() + region.size(), number);
       const auto objectness = entry.find("objectness");

@@ -83,8 +83,10 @@ class CocoParser {
   explicit CocoParser(std::string name) : name_(std::move(name)) {}
 
   Result<CocoMasks> parse(const CocoJson& file) {
-    for (const CocoJson& image : file.at("images")) SCANTROVE_TRY(addImage(image));
-    for (const CocoJson& annotation : file.at("annotations")) SCANTROVE_TRY(addMask(annotation));
+    for (const CocoJson& image : file.at("images").get_ref<const CocoJson::array_t&>())
+      SCANTROVE_TRY(addImage(image));
+    for (const CocoJson& annotation : file.at("annotations").get_ref<const CocoJson::array_t&>())
+      SCANTROVE_TRY(addMask(annotation));
     return std::move(masks_);
   }
 

@@ -6,9 +6,9 @@
 
 namespace scantrove {
 
-void SupportRecorder::record(const SegmentMap& segments, std::span<const FragmentId> fragments,
-                             const Intrinsics& K, RegionTable& table) {
-  SCANTROVE_CHECK(segments.ids.size() == fragments.size());
+void SupportRecorder::record(const SegmentMap& segments, const RenderedView& view, RegionTable& table) {
+  SCANTROVE_CHECK(segments.ids.size() == view.fragments.size());
+  const Intrinsics& K = view.K;
   constexpr int kStep = 2;          // pixels, both ways
   constexpr double kReference = 4;  // pixels of 640 x 480 in one of 320 x 240
   const auto weight = static_cast<float>(kStep * kStep / (kReference * K.pixelScale()));
@@ -17,7 +17,7 @@ void SupportRecorder::record(const SegmentMap& segments, std::span<const Fragmen
   for (int v = 0; v < K.height; v += kStep) {
     for (int u = 0; u < K.width; u += kStep) {
       const std::size_t at = K.indexOf(u, v);
-      const FragmentId fragment = fragments[at];
+      const FragmentId fragment = view.fragments[at];
       if (!fragment || segments.ids[at] == 0) continue;
       SupportPixels& pixels = pixels_[fragment.value];
       if (pixels.seen == 0) in_view_.push_back(fragment);

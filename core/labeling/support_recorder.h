@@ -1,8 +1,7 @@
 #pragma once
-#include <span>
 #include <vector>
 
-#include "core/capture/intrinsics.h"
+#include "core/fusion/rendered_view.h"
 #include "core/labeling/region_table.h"
 #include "core/segmentation/segment_map.h"
 
@@ -11,9 +10,8 @@ namespace scantrove {
 /// Records how often fragments were seen as a support or on one. One thread. Reads every fourth pixel.
 class SupportRecorder {
  public:
-  /// The next frame's segments and fragments, of the size of `K`.
-  void record(const SegmentMap& segments, std::span<const FragmentId> fragments, const Intrinsics& K,
-              RegionTable& table);
+  /// The next frame's segments, and its view with fragments, of the same size.
+  void record(const SegmentMap& segments, const RenderedView& view, RegionTable& table);
 
  private:
   std::vector<SupportPixels> pixels_;  // by fragment; zero between frames

@@ -55,7 +55,7 @@ class MapLabels {
 
   /// Updates the evidence about which of the frame's regions are supports, or lie on one.
   void recordSupports(const SegmentMap& segments, const RenderedView& view) {
-    supports_.record(segments, view.fragments, view.K, table_);
+    supports_.record(segments, view, table_);
   }
 
   /// Log-odds that two regions of `table` are one thing; lowest without evidence.

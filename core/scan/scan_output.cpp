@@ -91,7 +91,9 @@ Result<void> ScanOutput::finish(MappingPipeline& pipeline, const Regions& region
 }
 
 LabelMapEntry ScanOutput::entryOf(RegionId region, const Regions& regions) const {
-  LabelMapEntry entry{.region = region, .color = regionColor(region)};
+  LabelMapEntry entry;
+  entry.region = region;
+  entry.color = regionColor(region);
   const std::optional<std::uint32_t> number = numbers_.knownNumberOf(region);
   if (number && *number != region.value) entry.image_label = number;
   if (const auto found = regions.labels.find(region); found != regions.labels.end()) {

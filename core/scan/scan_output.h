@@ -10,6 +10,7 @@
 #include "core/scan/scan_report.h"
 #include "core/session/final_label_images.h"
 #include "core/session/frame_label_writer.h"
+#include "core/session/region_label.h"
 #include "core/session/region_numbers.h"
 #include "core/session/saved_scan.h"
 

@@ -13,7 +13,8 @@ constexpr Intrinsics kSupportCamera{300, 300, 159.5F, 119.5F, 320, 240};
 /// The upper half of an image is segment 1, the lower one segment 2.
 class HalvedFrame {
  public:
-  explicit HalvedFrame(const Intrinsics& K) : K_(K), half_(static_cast<std::size_t>(K.pixels()) / 2) {
+  explicit HalvedFrame(const Intrinsics& K) : half_(static_cast<std::size_t>(K.pixels()) / 2) {
+    view.K = K;
     segments.width = K.width;
     segments.height = K.height;
     segments.ids.assign(2 * half_, 1);
@@ -21,19 +22,18 @@ class HalvedFrame {
     segments.areas = {0, static_cast<int>(half_), static_cast<int>(half_)};
     upper = table.newFragment();
     lower = table.newFragment();
-    fragments.assign(2 * half_, upper);
-    std::fill_n(fragments.begin() + static_cast<std::ptrdiff_t>(half_), half_, lower);
+    view.fragments.assign(2 * half_, upper);
+    std::fill_n(view.fragments.begin() + static_cast<std::ptrdiff_t>(half_), half_, lower);
   }
 
-  void record() { SupportRecorder().record(segments, fragments, K_, table); }
+  void record() { SupportRecorder().record(segments, view, table); }
 
   SegmentMap segments;
-  std::vector<FragmentId> fragments;
+  RenderedView view;
   RegionTable table;
   FragmentId upper, lower;
 
  private:
-  Intrinsics K_;
   std::size_t half_;
 };
 
@@ -57,11 +57,11 @@ TEST(SupportRecorder, CountsAlikeAtEveryResolution) {
 
 TEST(SupportRecorder, SkipsPixelsWithoutSegmentOrFragment) {
   HalvedFrame frame(kSupportCamera);
-  for (std::size_t pixel = 0; pixel < frame.fragments.size(); ++pixel) {
-    if (frame.fragments[pixel] == frame.upper)
+  for (std::size_t pixel = 0; pixel < frame.view.fragments.size(); ++pixel) {
+    if (frame.view.fragments[pixel] == frame.upper)
       frame.segments.ids[pixel] = 0;
     else
-      frame.fragments[pixel] = {};
+      frame.view.fragments[pixel] = {};
   }
   frame.record();
   EXPECT_EQ(frame.table.supportPixels(frame.upper), SupportPixels());
