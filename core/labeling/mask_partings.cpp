@@ -52,7 +52,8 @@ bool isInward(int x, int y, int distance_px, const std::vector<PartingSide>& sid
 }
 
 /// Points of a side that lie far from the outline and are spread over it; empty: it is too narrow.
-std::vector<Eigen::Vector3f> pointsOf(PartingSide side, const std::vector<PartingSide>& sides, const RenderedView& view) {
+std::vector<Eigen::Vector3f> pointsOf(PartingSide side, const std::vector<PartingSide>& sides,
+                                      const RenderedView& view) {
   for (const int distance_px : kInward_px) {
     std::vector<std::size_t> pixels;
     for (int y = 0; y < view.K.height; ++y) {

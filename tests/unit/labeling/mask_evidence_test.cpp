@@ -61,7 +61,8 @@ TEST(MaskEvidence, FrameSaysNothing_WhenItsMasksContradict) {
 TEST(MaskEvidence, CountsFrames) {
   const RenderedView view = halvesOf(PaintedFrame::corner(0));
   MaskEvidence evidence;
-  for (int frame = 0; frame < 3; ++frame) evidence.add(view, std::vector<PixelMask>{maskOf(PaintedFrame::kAll)});
+  for (int frame = 0; frame < 3; ++frame)
+    evidence.add(view, std::vector<PixelMask>{maskOf(PaintedFrame::kAll)});
   evidence.add(view, std::vector<PixelMask>{maskOf(PaintedFrame::kLeft)});
   ASSERT_EQ(evidence.borders().size(), 1U);
   EXPECT_EQ(evidence.borders().at(kBorderOfHalves), (MaskVotes{3, 1}));

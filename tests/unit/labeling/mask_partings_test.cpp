@@ -77,7 +77,8 @@ TEST(MaskPartings, FrameSaysNothing_WhenASideIsHidden) {
 
 TEST(MaskPartings, MaskPartsNothing_WhenItCoversAllOrAStripOfTheRegion) {
   MaskPartings partings;
-  partings.find(wholeWall(), std::vector<PixelMask>{maskOf(PaintedFrame::kAll), maskOf({0, 0, 3, 47}), PixelMask{}});
+  partings.find(wholeWall(),
+                std::vector<PixelMask>{maskOf(PaintedFrame::kAll), maskOf({0, 0, 3, 47}), PixelMask{}});
   EXPECT_THAT(partings.best(), IsEmpty()) << "4 of 64 columns are 6 %";
 }
 
