@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-Vector2d turned(const Vector2d& p, double yaw_deg) {
+Vector2d rotated(const Vector2d& p, double yaw_deg) {
   const double angle = yaw_deg / 180 * std::numbers::pi;
   return {p.x() * std::cos(angle) - p.y() * std::sin(angle),
           p.x() * std::sin(angle) + p.y() * std::cos(angle)};
@@ -21,14 +21,14 @@ std::array<Vector2d, 4> corners(const Footprint& f) {
   std::array<Vector2d, 4> result;
   const double signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   for (std::size_t i = 0; i < 4; ++i) {
-    result[i] = f.center + turned({signs[i][0] * f.half.x(), signs[i][1] * f.half.y()}, f.yaw_deg);
+    result[i] = f.center + rotated({signs[i][0] * f.half.x(), signs[i][1] * f.half.y()}, f.yaw_deg);
   }
   return result;
 }
 
 /// Distance of a point from the rectangle (without rounding); 0 inside.
 double outside(const Footprint& f, const Vector2d& point) {
-  const Vector2d local = turned(point - f.center, -f.yaw_deg).cwiseAbs() - f.half;
+  const Vector2d local = rotated(point - f.center, -f.yaw_deg).cwiseAbs() - f.half;
   return local.cwiseMax(0.0).norm();
 }
 
@@ -37,7 +37,7 @@ bool separatedBy(const Footprint& a, const std::array<Vector2d, 4>& b) {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
   Vector2d high = -low;
   for (const Vector2d& corner : b) {
-    const Vector2d local = turned(corner - a.center, -a.yaw_deg);
+    const Vector2d local = rotated(corner - a.center, -a.yaw_deg);
     low = low.cwiseMin(local);
     high = high.cwiseMax(local);
   }
@@ -47,7 +47,7 @@ bool separatedBy(const Footprint& a, const std::array<Vector2d, 4>& b) {
 }  // namespace
 
 Footprint Footprint::placedAt(double x, double y, double yaw) const {
-  return {Vector2d(x, y) + turned(center, yaw), half, yaw_deg + yaw, round};
+  return {Vector2d(x, y) + rotated(center, yaw), half, yaw_deg + yaw, round};
 }
 
 double distance(const Footprint& a, const Footprint& b) {
@@ -66,7 +66,7 @@ double distance(const Footprint& a, const Footprint& b) {
 
 bool contains(const Footprint& outer, const Footprint& inner) {
   for (const Vector2d& corner : corners(inner)) {
-    const Vector2d local = turned(corner - outer.center, -outer.yaw_deg).cwiseAbs();
+    const Vector2d local = rotated(corner - outer.center, -outer.yaw_deg).cwiseAbs();
     if (((local.array() + inner.round) > outer.half.array() + 1e-9).any()) return false;
   }
   return true;

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/synthetic/flat_things.h"
+#include "core/synthetic/hard_materials.h"
 #include "core/synthetic/placed_part.h"
 #include "core/synthetic/random_boxes.h"
+#include "core/synthetic/random_chairs.h"
 #include "core/synthetic/random_things.h"
 
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kContact_m = 1e-5;  // touching distance
+constexpr double kContact_m = 1e-5;               // touching distance
+constexpr std::uint32_t kHardMaterials = 20000U;  // purpose of the random numbers of the first instance
 
 std::vector<Volume> placedAt(const std::vector<Volume>& volumes, double x, double y, double z,
                              double yaw_deg) {
@@ -56,6 +60,7 @@ bool Layout::put(Thing& thing, double x, double y, double z, double yaw_deg, std
   const std::vector<Volume> volumes = placedAt(thing.volumes, x, y, z, yaw_deg);
   if (clearance(volumes, beside) < -1e-9) return false;
   const auto id = scene.addInstance(freeName(thing.who.name), thing.who.is_object, thing.who.non_convex);
+  if (hard_seed_) giveHardMaterials(HashStream(*hard_seed_, kHardMaterials + id), thing);
   const Eigen::Isometry3d T_world_thing = Place{x, y, z, yaw_deg}.pose();
   for (SyntheticScene::Part& part : thing.parts) {
     scene.add(id, std::move(part.shape), T_world_thing * part.T_world_part, part.material);
@@ -150,13 +155,33 @@ void Layout::fillWithBooks(HashStream& random, const Stand& stand, int count) {
 void Layout::stack(HashStream& random, const Stand& stand, int count) {
   Stand top = stand;
   for (int i = 0; i < count; ++i) {
-    Thing thing = i + 1 < count ? makeStackable(random) : makeSmallThing(random);
+    Thing thing = i + 1 < count ? drawStackable(random) : makeSmallThing(random);
     if (!placeOn(random, top, thing) || new_stands_.empty()) return;
     top = new_stands_.front();
   }
 }
 
+void Layout::layFlat(HashStream& random, const Stand& stand, int count) {
+  for (int i = 0; i < count; ++i) {
+    Thing flat = makeRandomFlatThing(random);
+    if (!placeOn(random, stand, flat) || new_stands_.empty() || !random.chance(0.3)) continue;
+    const Stand top = new_stands_.front();
+    Thing thing = makeSmallThing(random);
+    placeOn(random, top, thing);
+  }
+}
+
+Thing Layout::drawStackable(HashStream& random) const {
+  return isHard() && random.chance(0.3) ? makeFlatStackable(random) : makeStackable(random);
+}
+
+Thing Layout::drawFloorThing(HashStream& random) const {
+  Thing thing = makeFloorThing(random);
+  return isHard() && thing.who.name == "chair" ? makeRandomChair(random) : std::move(thing);
+}
+
 void Layout::clutter(HashStream& random, const Stand& stand, int count) {
+  if (isHard()) layFlat(random, stand, stand.headroom_m < 1 ? 1 : (count + 1) / 2);
   for (int i = 0; i < count; ++i) {
     const double kind = random.uniform(0, 1);
     if (kind < 0.08) {

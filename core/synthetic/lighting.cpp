@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/synthetic/hash_random.h"
+#include "core/synthetic/hash_stream.h"
 #include "core/synthetic/view_caster.h"
 
 namespace scantrove::synthetic {
@@ -15,10 +15,32 @@ constexpr float kInnerRing_m = 0.025F;
 constexpr float kOuterRing_m = 0.07F;
 constexpr float kFar = 1e6F;
 constexpr double kMapHeight_m = 6;  // height of the maps' viewpoint
+constexpr float kLampStrength = 0.8F;
+
+/// Light that a glossy surface mirrors from direction `to_light`.
+float highlightOf(const Material& material, const Vec3& normal, const Vec3& to_light, const Vec3& to_eye) {
+  const auto half = static_cast<float>(std::max(0.0, (to_light + to_eye).normalized().dot(normal)));
+  return std::pow(half, material.polish);
+}
+
 }  // namespace
 
-Lighting::Lighting(const SyntheticScene& scene, const Vec3& center, double radius)
-    : to_light_(Vec3(-0.50, -0.42, 0.86).normalized()),
+Lights makeRandomLights(std::uint32_t seed, const Vec3& center) {
+  HashStream random(seed, 14000);
+  const double azimuth = random.uniform(0, 2 * std::numbers::pi);
+  const double height = random.uniform(35, 60) / 180 * std::numbers::pi;
+  const double aside_x = random.uniform(-0.9, 0.9);
+  const double aside_y = random.uniform(-0.9, 0.9);
+  Lights lights;
+  lights.to_sun = {std::cos(height) * std::cos(azimuth), std::cos(height) * std::sin(azimuth),
+                   std::sin(height)};
+  lights.lamp = Vec3(center.x() + aside_x, center.y() + aside_y, random.uniform(1.9, 2.4));
+  return lights;
+}
+
+Lighting::Lighting(const SyntheticScene& scene, const Vec3& center, double radius, const Lights& lights)
+    : to_light_(lights.to_sun.normalized()),
+      lamp_(lights.lamp),
       from_light_(bake(scene, center, to_light_, radius, 768)),
       from_above_(bake(scene, center, Vec3::UnitZ(), radius, 384)),
       first_lit_(highestWithin(from_light_, 2.5 / from_light_.texels_per_meter)),
@@ -136,8 +158,8 @@ float Lighting::openness(const Vec3& point, const Vec3& normal) const {
   return 1 - 0.7F * blocked / static_cast<float>(kTaps.size());
 }
 
-Rgb Lighting::shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo, float gloss,
-                    float openness) const {
+Rgb Lighting::shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo,
+                    const Material& material, float openness) const {
   static const Rgb kSun = Rgb(1.0F, 0.93F, 0.82F) * 0.80F;
   static const Rgb kSky(0.40F, 0.43F, 0.48F);
   static const Rgb kGround(0.22F, 0.20F, 0.175F);
@@ -149,10 +171,13 @@ Rgb Lighting::shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, c
   if (facing > 0) {
     const float sun = sunlit(lifted);
     light += kSun * (facing * sun);
-    if (gloss > 0) {
-      const auto half = static_cast<float>(std::max(0.0, (to_light_ + to_eye).normalized().dot(normal)));
-      highlight = gloss * sun * std::pow(half, 60.0F);
+    if (material.gloss > 0) {
+      highlight = material.gloss * sun * highlightOf(material, normal, to_light_, to_eye);
     }
+  }
+  if (lamp_ && material.gloss > 0) {
+    highlight +=
+        kLampStrength * material.gloss * highlightOf(material, normal, (*lamp_ - point).normalized(), to_eye);
   }
   return albedo * light + highlight;
 }

@@ -1,25 +1,35 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/synthetic/scene.h"
 
 namespace scantrove::synthetic {
 
+/// Lights of a scene, in its world frame.
+struct Lights {
+  Vec3 to_sun = Vec3(-0.50, -0.42, 0.86);  ///< direction of the window light; need not have unit length
+  std::optional<Vec3> lamp = {};           ///< lights nothing up, but glossy surfaces mirror it
+};
+
+/// Window light 35 - 60 degrees above the horizon, from any side, and a lamp over `center`.
+[[nodiscard]] Lights makeRandomLights(std::uint32_t seed, const Vec3& center);
+
 /// Warm window light from one side with soft shadows, and ambient light, darker in corners and under things.
 /// Both are baked once for the whole (static) scene.
 class Lighting {
  public:
   /// Shadows cover `radius` metres around `centre`; everything beyond is lit.
-  Lighting(const SyntheticScene& scene, const Vec3& center, double radius);
+  Lighting(const SyntheticScene& scene, const Vec3& center, double radius, const Lights& lights = {});
 
   /// Ambient light at a surface point, 0..1: little in corners and under things. Varies slowly along a
   /// surface.
   [[nodiscard]] float openness(const Vec3& point, const Vec3& normal) const;
 
   /// Light reflected from a surface point towards the eye. World frame, unit vectors; `to_eye` points away
-  /// from the surface.
+  /// from the surface. `material` gives the highlights, `albedo` the rest.
   [[nodiscard]] Rgb shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo,
-                          float gloss, float openness) const;
+                          const Material& material, float openness) const;
 
  private:
   /// A square depth image seen from above or from the light.
@@ -36,6 +46,7 @@ class Lighting {
   [[nodiscard]] float sunlit(const Vec3& point) const;
 
   Vec3 to_light_;
+  std::optional<Vec3> lamp_;
   DepthMap from_light_;
   DepthMap from_above_;
   DepthMap first_lit_;  ///< first lit surface around each texel of from_light_

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/synthetic/lathe.h"
 #include "core/synthetic/palette.h"
 #include "core/synthetic/placed_part.h"
 #include "core/synthetic/rounded_shapes.h"
@@ -36,6 +37,17 @@ Eigen::Isometry3d swing(double angle, const Vec3& pivot) {
   T.rotate(Eigen::AngleAxisd(angle, Vec3::UnitY()));
   T.translate(-pivot);
   return T;
+}
+
+/// Adds a rod with round ends between two points of the object's frame.
+void addCapsule(SyntheticScene& scene, std::uint16_t id, const Place& place, const Vec3& from, const Vec3& to,
+                double radius, const Material& material) {
+  const Vec3 along = to - from;
+  Lathe::Profile profile;
+  appendArc(profile, {0, 0}, radius, -90, 0, 5);
+  appendArc(profile, {0, along.norm()}, radius, 0, 90, 5);
+  addPart(scene, id, place, std::make_unique<Lathe>(profile), material, from,
+          Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), along).toRotationMatrix());
 }
 
 }  // namespace
@@ -101,6 +113,41 @@ void addArm(HashStream& random, SceneRecipe& recipe, double from, std::vector<Wa
                                      return Eigen::Isometry3d(
                                          Eigen::Translation3d(alongWaypoints(way, time_s)));
                                    }});
+}
+
+void addHand(HashStream& random, SceneRecipe& recipe, const HandMotion& motion) {
+  SyntheticScene& scene = recipe.scene;
+  const auto id = scene.addInstance(motion.name, false, true);
+  const Material skin = skinOf(random);
+  const Material sleeve = clothOf(random);
+  const Place place{0, 0, 0, motion.yaw_deg};
+  // `outwards`: 1 for parts that move with the fingers, -1 with the thumb, 0 with the palm.
+  const auto moves = [&](std::size_t first, double outwards) {
+    const Vec3 opens = turned(motion.yaw_deg, Vec3::UnitZ()) * Vec3(outwards * motion.side, 0, 0);
+    recipe.animated_parts.push_back({first, scene.parts().size() - first,
+                                     [way = motion.way, opening = motion.opening, opens](double time_s) {
+                                       const Vec3 at = alongWaypoints(way, time_s) +
+                                                       alongWaypoints(opening, time_s).x() * opens;
+                                       return Eigen::Isometry3d(Eigen::Translation3d(at));
+                                     }});
+  };
+  std::size_t first = scene.parts().size();
+  addPart(scene, id, place, std::make_unique<RoundedBox>(Vec3(0.042, 0.048, 0.014), 0.013), skin,
+          {0, -0.065, 0.078});
+  addCapsule(scene, id, place, {0, -0.10, 0.082}, {0, -0.18, 0.10}, 0.026, skin);
+  addCapsule(scene, id, place, {0, -0.17, 0.10}, {0, -0.62, 0.24}, 0.042, sleeve);
+  moves(first, 0);
+  first = scene.parts().size();
+  for (int i = 0; i < 4; ++i) {
+    const double y = (i - 1.5) * 0.018;
+    addCapsule(scene, id, place, {motion.side * kFingerRadius_m, y, 0},
+               {motion.side * 0.03, 0.9 * y - 0.03, 0.07}, kFingerRadius_m, skin);
+  }
+  moves(first, 1);
+  first = scene.parts().size();
+  addCapsule(scene, id, place, {-motion.side * kFingerRadius_m, 0, 0}, {-motion.side * 0.035, -0.07, 0.06},
+             kFingerRadius_m + 0.001, skin);
+  moves(first, -1);
 }
 
 }  // namespace scantrove::synthetic

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "core/synthetic/hash_stream.h"
@@ -20,5 +21,19 @@ void addPerson(HashStream& random, SceneRecipe& recipe, double y, std::vector<Wa
 /// Adds a forearm ("arm", no object) that enters from side `from` (-1: from -x) and rises backwards. `way`
 /// gives the hand's position. Casts no shadow.
 void addArm(HashStream& random, SceneRecipe& recipe, double from, std::vector<Waypoint> way);
+
+inline constexpr double kFingerRadius_m = 0.008;
+
+/// A hand that grips from above.
+struct HandMotion {
+  std::string name;               ///< of its instance
+  double side = 1;                ///< 1: a right hand, -1: a left hand
+  double yaw_deg = 0;             ///< 0: the arm comes from -y; turned around the vertical
+  std::vector<Waypoint> way;      ///< of the point between the finger tips
+  std::vector<Waypoint> opening;  ///< `at.x()`: distance of the finger tips from that point
+};
+
+/// Adds a hand with its forearm, no object. Casts no shadow.
+void addHand(HashStream& random, SceneRecipe& recipe, const HandMotion& motion);
 
 }  // namespace scantrove::synthetic

@@ -1,11 +1,13 @@
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/synthetic/camera_work.h"
 #include "core/synthetic/random_furniture.h"
 #include "core/synthetic/random_things.h"
 #include "core/synthetic/random_walls.h"
 #include "core/synthetic/scene_recipe.h"
+#include "core/synthetic/table_settings.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -26,8 +28,10 @@ void addIsland(HashStream& random, Layout& layout, const Stand& floor) {
   Thing rug = makeRug(random);
   if (random.chance(0.5) && layout.placeOn(random, floor, rug)) around = layout.newStands().front();
   if (!layout.placeOn(random, around, table) && !layout.placeOn(random, floor, table)) return;
-  const Stand top = layout.newStands().front();
+  const Stand bare = layout.newStands().front();
+  const Stand top = layout.isHard() ? spreadCloth(random, layout, bare) : bare;
   layout.clutter(random, top, random.between(6, 14));
+  if (layout.isHard() && !low) placeChairsAt(random, layout, bare, random.between(1, 4));
 }
 
 void addFloorClutter(HashStream& random, Layout& layout, const Stand& floor) {
@@ -36,7 +40,7 @@ void addFloorClutter(HashStream& random, Layout& layout, const Stand& floor) {
       layout.stack(random, floor, random.between(2, 4));
       continue;
     }
-    Thing thing = makeFloorThing(random);
+    Thing thing = layout.drawFloorThing(random);
     if (layout.placeOn(random, floor, thing) && !layout.newStands().empty() && random.chance(0.6)) {
       const Stand top = layout.newStands().front();
       layout.stack(random, top, random.between(1, 3));
@@ -120,14 +124,13 @@ Shell buildRoom(HashStream& random, Layout& layout) {
   return shell;
 }
 
-}  // namespace
-
-SceneRecipe makeRandomRoomScene(std::uint32_t seed) {
+/// `hard_seed` as in Layout; `purpose`: of the first room's random numbers.
+SceneRecipe makeRoomOf(std::uint32_t seed, std::uint32_t purpose, std::optional<std::uint32_t> hard_seed) {
   SceneRecipe best{.name = "room " + std::to_string(seed), .scene = {}, .path = {}, .frames = 300};
   int fewest_bad = 1000;
   for (std::uint32_t room = 0; room < kRooms && fewest_bad > 0; ++room) {
-    HashStream random(seed, 1000 + room);
-    Layout layout;
+    HashStream random(seed, purpose + room);
+    Layout layout(hard_seed);
     const Shell shell = buildRoom(random, layout);
     CameraPath path;
     int fewest_here = fewest_bad;
@@ -148,6 +151,18 @@ SceneRecipe makeRandomRoomScene(std::uint32_t seed) {
   best.lit_center = {0, 0, 0.4};
   best.lit_radius_m = 2.6;
   return best;
+}
+
+}  // namespace
+
+SceneRecipe makeRandomRoomScene(std::uint32_t seed) { return makeRoomOf(seed, 1000, std::nullopt); }
+
+SceneRecipe makeHardRoomScene(std::uint32_t seed) {
+  SceneRecipe recipe = makeRoomOf(seed, 11000, seed);
+  recipe.name = "hard " + recipe.name;
+  recipe.lights = makeRandomLights(seed, recipe.lit_center);
+  recipe.camera = makeHardCamera(seed);
+  return recipe;
 }
 
 SceneRecipe makeRandomSweepScene(std::uint32_t seed) {

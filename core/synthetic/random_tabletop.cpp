@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/synthetic/camera_work.h"
 #include "core/synthetic/placed_part.h"
@@ -7,6 +8,7 @@
 #include "core/synthetic/random_things.h"
 #include "core/synthetic/random_walls.h"
 #include "core/synthetic/scene_recipe.h"
+#include "core/synthetic/table_settings.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -47,7 +49,8 @@ Stand buildTable(HashStream& random, Layout& layout) {
   const Place wall = shell.wallPlace(first);
   const Eigen::Vector2d at = Footprint{{random.uniform(-0.4, 0.4), back}}.placedAt(0, 0, wall.yaw_deg).center;
   layout.put(table, at.x(), at.y(), 0, wall.yaw_deg);
-  Stand top = layout.newStands().front();
+  const Stand bare = layout.newStands().front();
+  const Stand top = layout.isHard() ? spreadCloth(random, layout, bare) : bare;
   Stand used = top;
   used.area.half = used.area.half.cwiseMin(Eigen::Vector2d(0.5, 0.4));
   layout.clutter(random, used, random.between(10, 18));
@@ -57,22 +60,23 @@ Stand buildTable(HashStream& random, Layout& layout) {
     if (face.z > 0.5) layout.lean(random, face);
   }
   const Stand floor{{Eigen::Vector2d::Zero(), {shell.width / 2 - 0.1, shell.depth / 2 - 0.1}}, 0};
+  if (layout.isHard()) placeChairsAt(random, layout, bare, random.between(0, 2));
   for (int i = 0; i < 2; ++i) furnishWall(random, layout, shell, (first + i) % 4);
   for (int i = random.between(1, 4); i > 0; --i) {
-    Thing thing = makeFloorThing(random);
+    Thing thing = layout.drawFloorThing(random);
     layout.placeOn(random, floor, thing);
   }
   return top;
 }
 
-}  // namespace
-
-SceneRecipe makeRandomTabletopScene(std::uint32_t seed) {
+/// `hard_seed` as in Layout; `purpose`: of the first table's random numbers.
+SceneRecipe makeTabletopOf(std::uint32_t seed, std::uint32_t purpose,
+                           std::optional<std::uint32_t> hard_seed) {
   SceneRecipe best{.name = "tabletop " + std::to_string(seed), .scene = {}, .path = {}, .frames = 240};
   int fewest_bad = 1000;
   for (std::uint32_t table = 0; table < kTables && fewest_bad > 0; ++table) {
-    HashStream random(seed, 2000 + table);
-    Layout layout;
+    HashStream random(seed, purpose + table);
+    Layout layout(hard_seed);
     const Stand top = buildTable(random, layout);
     CameraPath path;
     int fewest_here = fewest_bad;
@@ -93,6 +97,18 @@ SceneRecipe makeRandomTabletopScene(std::uint32_t seed) {
   }
   best.lit_radius_m = 1.8;
   return best;
+}
+
+}  // namespace
+
+SceneRecipe makeRandomTabletopScene(std::uint32_t seed) { return makeTabletopOf(seed, 2000, std::nullopt); }
+
+SceneRecipe makeHardTabletopScene(std::uint32_t seed) {
+  SceneRecipe recipe = makeTabletopOf(seed, 12000, seed);
+  recipe.name = "hard " + recipe.name;
+  recipe.lights = makeRandomLights(seed, recipe.lit_center);
+  recipe.camera = makeHardCamera(seed);
+  return recipe;
 }
 
 }  // namespace scantrove::synthetic

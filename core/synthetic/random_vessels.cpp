@@ -8,12 +8,12 @@
 namespace scantrove::synthetic {
 namespace {
 
-std::unique_ptr<Shape> lathe(const Lathe::Profile& profile) { return std::make_unique<Lathe>(profile); }
+std::unique_ptr<Shape> latheOf(const Lathe::Profile& profile) { return std::make_unique<Lathe>(profile); }
 
 Thing turnedOne(const std::string& name, bool non_convex, const Lathe::Profile& profile,
                 const Material& material) {
   SyntheticScene scene;
-  addPart(scene, scene.addInstance(name, true, non_convex), {}, lathe(profile), material);
+  addPart(scene, scene.addInstance(name, true, non_convex), {}, latheOf(profile), material);
   return Thing(std::move(scene), true);
 }
 
@@ -30,7 +30,7 @@ Thing makeRandomMug(HashStream& random) {
   appendArc(outer, {foot - 0.006, 0.006}, 0.006, -90, 0, 4);
   outer.emplace_back(radius, height / 2);
   outer.emplace_back(radius, height);
-  addPart(scene, id, {}, lathe(vesselProfile(outer, 0.005)), glaze);
+  addPart(scene, id, {}, latheOf(vesselProfile(outer, 0.005)), glaze);
   Material handle = glaze;
   handle.pattern = Pattern::plain;
   Eigen::Matrix3d turn;
@@ -148,17 +148,18 @@ Thing makeRandomBucket(HashStream& random) {
   const double top = foot * random.uniform(1.1, 1.5);
   const double height = random.uniform(0.18, 0.36);
   const Material skin = randomGlaze(random);
-  addPart(scene, id, {},
-          lathe({{0, 0}, {foot, 0}, {top, height}, {top - 0.006, height}, {foot - 0.006, 0.006}, {0, 0.006}}),
-          skin);
+  addPart(
+      scene, id, {},
+      latheOf({{0, 0}, {foot, 0}, {top, height}, {top - 0.006, height}, {foot - 0.006, 0.006}, {0, 0.006}}),
+      skin);
   if (random.chance(0.5)) {  // a plant in its earth
     const Material earth{Pattern::speckle, rgb(0x4a3628), rgb(0x6e5442), {}, 0.006F};
     const double level = 0.8 * height;
     const double inner = foot - 0.006 + (top - foot) * level / height;
-    addPart(scene, id, {}, lathe({{0, level - 0.02}, {inner, level - 0.02}, {inner, level}, {0, level}}),
+    addPart(scene, id, {}, latheOf({{0, level - 0.02}, {inner, level - 0.02}, {inner, level}, {0, level}}),
             earth);
     const Material leaves{Pattern::speckle, rgb(0x3f7d4a), rgb(0x6fae5e), {}, 0.03F};
-    addPart(scene, id, {}, lathe(canProfile(0.012, 0.009, height * 0.7)), earth, {0, 0, level - 0.01});
+    addPart(scene, id, {}, latheOf(canProfile(0.012, 0.009, height * 0.7)), earth, {0, 0, level - 0.01});
     const int crowns = random.between(2, 4);
     for (int i = 0; i < crowns; ++i) {
       const double radius = top * random.uniform(0.5, 0.85);

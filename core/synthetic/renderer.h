@@ -13,6 +13,7 @@ struct RenderedFrame {
   cv::Mat z_m;        ///< CV_32FC1, depth along the optical axis, 0 = nothing there
   cv::Mat incidence;  ///< CV_32FC1, cosine between surface normal and ray, 0..1
   cv::Mat instances;  ///< CV_16UC1, 0 = nothing there
+  cv::Mat parts;      ///< CV_32SC1, index into SyntheticScene::parts(), -1 = nothing there
 };
 
 /// Rays go through pixel centres. Without `lighting` there is no colour. Any thread.

@@ -1,9 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/synthetic/hard_camera.h"
+#include "core/synthetic/lighting.h"
 #include "core/synthetic/scene.h"
 #include "core/synthetic/trajectory.h"
 
@@ -26,6 +29,9 @@ struct SceneRecipe {
   Eigen::Vector3d lit_center = Eigen::Vector3d::Zero();  ///< shadows cover `lit_radius_m` around it
   double lit_radius_m = 1.5;
   std::vector<AnimatedPart> animated_parts = {};
+  Lights lights = {};
+  std::optional<HardCamera> camera = {};  ///< none: KinectModel's noise alone
+  bool is_hand_held = true;               ///< false: the camera has no tremor
 };
 
 // Recipes. Each source (room_scene.cpp, ...) defines one scene, or variants of one.
@@ -60,5 +66,19 @@ struct SceneRecipe {
 
 /// A random table with things of 5 - 40 cm for every seed; 240 frames around it.
 [[nodiscard]] SceneRecipe makeRandomTabletopScene(std::uint32_t seed);
+
+// The hard generation: random scenes whose camera has the failures of real ones (HardCamera). Surfaces are
+// shiny, dark or transparent. Sheets of paper, magazines, cutlery, pens, keyboards and plates lie on tables
+// of strong grain or under patterned cloths. Chairs have backs of slats or panels.
+
+/// Such a room; 300 frames, as makeRandomRoomScene().
+[[nodiscard]] SceneRecipe makeHardRoomScene(std::uint32_t seed);
+
+/// Such a table; 240 frames, as makeRandomTabletopScene().
+[[nodiscard]] SceneRecipe makeHardTabletopScene(std::uint32_t seed);
+
+/// A fixed camera above a table. Two hands ("hand, left", "hand, right", no objects) take three things one
+/// after the other, hold them up and put them down elsewhere. 500 frames.
+[[nodiscard]] SceneRecipe makeRandomHandsScene(std::uint32_t seed);
 
 }  // namespace scantrove::synthetic

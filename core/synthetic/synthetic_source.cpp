@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "core/synthetic/bumpy_shape.h"
+#include "core/synthetic/color_exposure.h"
+#include "core/synthetic/depth_loss.h"
 #include "core/synthetic/kinect_noise.h"
 #include "core/synthetic/lighting.h"
 #include "core/synthetic/low_contrast_colors.h"
@@ -24,14 +26,18 @@ struct Demo {
   const char* name;
   synthetic::SceneRecipe (*recipe)();
   synthetic::SceneRecipe (*random_recipe)(std::uint32_t seed);
+  synthetic::SceneRecipe (*hard_recipe)(std::uint32_t seed);
 };
 constexpr Demo kDemos[] = {
-    {"tabletop", synthetic::makeTabletopScene, synthetic::makeRandomTabletopScene},
-    {"room", synthetic::makeRoomScene, synthetic::makeRandomRoomScene},
-    {"sweep", [] { return synthetic::makeRandomSweepScene(1); }, synthetic::makeRandomSweepScene},
-    {"wall", synthetic::makeWallScene, nullptr},
-    {"corridor", synthetic::makeCorridorScene, nullptr},
-    {"moving", [] { return synthetic::makeRandomMovingScene(1); }, synthetic::makeRandomMovingScene}};
+    {"tabletop", synthetic::makeTabletopScene, synthetic::makeRandomTabletopScene,
+     synthetic::makeHardTabletopScene},
+    {"room", synthetic::makeRoomScene, synthetic::makeRandomRoomScene, synthetic::makeHardRoomScene},
+    {"sweep", [] { return synthetic::makeRandomSweepScene(1); }, synthetic::makeRandomSweepScene, nullptr},
+    {"wall", synthetic::makeWallScene, nullptr, nullptr},
+    {"corridor", synthetic::makeCorridorScene, nullptr, nullptr},
+    {"moving", [] { return synthetic::makeRandomMovingScene(1); }, synthetic::makeRandomMovingScene, nullptr},
+    {"hands", [] { return synthetic::makeRandomHandsScene(1); }, synthetic::makeRandomHandsScene,
+     synthetic::makeRandomHandsScene}};
 
 /// Metres to 16-bit units; 0 for no reading or overflow.
 cv::Mat toUnits(const cv::Mat& z_m, float meters_per_unit) {
@@ -52,7 +58,7 @@ class RenderedSource final : public SyntheticSource {
   RenderedSource(const SyntheticOptions& options, synthetic::SceneRecipe recipe)
       : options_(options),
         recipe_(std::move(recipe)),
-        trajectory_(recipe_.path, options.tremor, options.seed) {
+        trajectory_(recipe_.path, options.tremor && recipe_.is_hand_held, options.seed) {
     info_.name = recipe_.name;
     info_.kind = "synthetic";
     info_.intrinsics = options.K;
@@ -77,8 +83,8 @@ class RenderedSource final : public SyntheticSource {
     }
     const int index = options_.start + given_++ * options_.stride;
     if (options_.color && !lighting_) {
-      lighting_ =
-          std::make_unique<synthetic::Lighting>(recipe_.scene, recipe_.lit_center, recipe_.lit_radius_m);
+      lighting_ = std::make_unique<synthetic::Lighting>(recipe_.scene, recipe_.lit_center,
+                                                        recipe_.lit_radius_m, recipe_.lights);
     }
     moveTo(index / kFramesPerSecond);
     RgbdFrame& frame = read.frame;
@@ -90,20 +96,21 @@ class RenderedSource final : public SyntheticSource {
     synthetic::RenderedFrame image = synthetic::renderFrame(
         recipe_.scene, is_registered ? lighting_.get() : nullptr, options_.K, *frame.T_world_camera);
     if (options_.color && !is_registered) {
-      const Eigen::Isometry3d T_world_color =
-          *frame.T_world_camera * options_.color_camera->T_color_depth.inverse();
-      image.color =
-          synthetic::renderFrame(recipe_.scene, lighting_.get(), options_.color_camera->K, T_world_color)
-              .color;
+      const Eigen::Isometry3d T_depth_color = options_.color_camera->T_color_depth.inverse();
+      const Intrinsics& K = options_.color_camera->K;
+      const synthetic::RenderedFrame of_color =
+          synthetic::renderFrame(recipe_.scene, lighting_.get(), K, *frame.T_world_camera * T_depth_color);
+      frame.color = exposed(of_color, K, T_depth_color, index);
       frame.color_camera = options_.color_camera;
+    } else if (options_.color) {
+      frame.color = exposed(image, options_.K, Eigen::Isometry3d::Identity(), index);
     }
     const auto number = static_cast<std::uint32_t>(index);
     if (options_.noise) {
-      image.z_m = synthetic::measureDepth(image.z_m, image.incidence, options_.K, {}, options_.seed, number);
-      synthetic::addColorNoise(image.color, kColorNoise, options_.seed, number);
+      image.z_m = measured(image, number);
+      synthetic::addColorNoise(frame.color, kColorNoise, options_.seed, number);
     }
     frame.depth = toUnits(image.z_m, options_.meters_per_unit);
-    frame.color = image.color;
     frame.instances = image.instances;
     read.status = FrameRead::Status::frame;
     return read;
@@ -118,6 +125,44 @@ class RenderedSource final : public SyntheticSource {
     }
   }
 
+  /// Depth as the camera measures it.
+  [[nodiscard]] cv::Mat measured(const synthetic::RenderedFrame& image, std::uint32_t number) const {
+    const synthetic::KinectModel model = recipe_.camera ? recipe_.camera->depth : synthetic::KinectModel{};
+    cv::Mat z_m =
+        synthetic::measureDepth(image.z_m, image.incidence, options_.K, model, options_.seed, number);
+    if (recipe_.camera) {
+      const cv::Mat light = synthetic::returnedLight(image, recipe_.scene.parts());
+      synthetic::loseReadings(z_m, light, model, options_.seed, number);
+    }
+    return z_m;
+  }
+
+  /// The colour of `image`, at the moments of the camera's exposure.
+  [[nodiscard]] cv::Mat exposed(const synthetic::RenderedFrame& image, const Intrinsics& K,
+                                const Eigen::Isometry3d& T_depth_color, int index) const {
+    if (!recipe_.camera || !options_.noise) return image.color;
+    std::vector<synthetic::PartMotions> moments;
+    for (const double after_s : colorMoments(*recipe_.camera, static_cast<std::uint32_t>(index)))
+      moments.push_back(motionsUntil(after_s, T_depth_color, index));
+    return synthetic::exposeColor(image, K, moments);
+  }
+
+  /// Motions in the colour camera's frame, from a frame's depth image to `after_s` later.
+  [[nodiscard]] synthetic::PartMotions motionsUntil(double after_s, const Eigen::Isometry3d& T_depth_color,
+                                                    int index) const {
+    const double time_s = index / kFramesPerSecond;
+    const Eigen::Isometry3d T_world_now = trajectory_.pose(time_s) * T_depth_color;
+    const Eigen::Isometry3d T_later_world = (trajectory_.pose(time_s + after_s) * T_depth_color).inverse();
+    synthetic::PartMotions motions(recipe_.scene.parts().size() + 1,
+                                   (T_later_world * T_world_now).cast<float>());
+    for (const synthetic::AnimatedPart& animated : recipe_.animated_parts) {
+      const Eigen::Isometry3d motion = animated.motion(time_s + after_s) * animated.motion(time_s).inverse();
+      for (std::size_t part = animated.first_part; part < animated.first_part + animated.part_count; ++part)
+        motions[part] = (T_later_world * motion * T_world_now).cast<float>();
+    }
+    return motions;
+  }
+
   SyntheticOptions options_;
   synthetic::SceneRecipe recipe_;
   std::vector<Eigen::Isometry3d> T_world_rest_;  // initial poses of the parts
@@ -129,6 +174,8 @@ class RenderedSource final : public SyntheticSource {
 
 /// Parses the suffixes of a scene's name: words and a seed between colons. False: unknown suffix.
 bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view modes) {
+  auto random_recipe = demo.random_recipe;
+  bool is_random = false;
   while (!modes.empty()) {
     const std::size_t colon = std::min(modes.find(':'), modes.size());
     const std::string_view mode = modes.substr(0, colon);
@@ -139,15 +186,19 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
       options.bumpy = true;
     } else if (mode == "drab") {
       options.low_contrast = true;
+    } else if (mode == "hard") {
+      random_recipe = demo.hard_recipe;
+      is_random = true;
     } else {
       const char* end = mode.data() + mode.size();
       const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
-      if (failure != std::errc{} || stop != end || demo.random_recipe == nullptr) return false;
-      options.recipe = [random_recipe = demo.random_recipe, seed = options.seed] {
-        return random_recipe(seed);
-      };
+      if (failure != std::errc{} || stop != end) return false;
+      is_random = true;
     }
   }
+  if (!is_random) return true;
+  if (random_recipe == nullptr) return false;
+  options.recipe = [random_recipe, seed = options.seed] { return random_recipe(seed); };
   return true;
 }
 
@@ -197,9 +248,9 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
   if (demo == std::end(kDemos) || !applyModes(options, *demo, modes)) {
     return fail(
         fmt::format("There is no demo scene '{}'.", scene),
-        "Choose tabletop, room, sweep, moving, wall or corridor; add :7 for the random scene of that "
-        "seed (not of wall and corridor), :uneven for bumps on its surfaces, :drab for few colours, :exact "
-        "for depth without noise.");
+        "Choose tabletop, room, sweep, moving, hands, wall or corridor; add :7 for the random scene of that "
+        "seed (not of wall and corridor), :hard for a camera that fails as real ones do (tabletop and room), "
+        ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise.");
   }
   options.start = given.start;
   options.stride = given.stride;

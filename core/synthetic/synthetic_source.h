@@ -21,8 +21,8 @@ struct SyntheticOptions {
   int start = 0;   ///< first frame of the recording
   int stride = 1;  ///< then every stride-th frame
   std::optional<int> at_most;  ///< maximum number of frames
-  bool noise = true;  ///< Kinect model on depth and sensor noise on colour; false: exact, rounded to the unit
-  bool bumpy = false;         ///< surfaces with bumps of 2 - 5 mm
+  bool noise = true;   ///< noise and failures of the recipe's camera; false: exact, rounded to the unit
+  bool bumpy = false;  ///< surfaces with bumps of 2 - 5 mm
   bool low_contrast = false;  ///< walls, furniture and things share three tints
   bool color = true;          ///< false: no colour images (a good third faster)
   bool tremor = true;         ///< tremor of a hand
@@ -31,7 +31,7 @@ struct SyntheticOptions {
 };
 
 /// A rendered recording at 30 frames a second (`timestamp_s` = index / 30) with exact poses and instance
-/// masks.
+/// masks, those of depth. Pixels without a reading have their instance, too.
 class SyntheticSource : public FrameSource {
  public:
   /// The scene at the last returned frame; before the first, its initial state.
@@ -43,10 +43,11 @@ class SyntheticSource : public FrameSource {
 /// Error: no frame is selected, or the intrinsics are invalid.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
 
-/// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "wall" or "corridor". Suffixes in any order:
-/// ":7" selects the random scene of that seed, ":exact" disables noise, ":uneven" adds bumps, ":drab" reduces
-/// the colours. Intrinsics in `options` apply to the rendered images (640 x 480 stays, of colour too). Error:
-/// names the scene and lists the known ones.
+/// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "hands", "wall" or "corridor". Suffixes in any
+/// order: ":7" selects the random scene of that seed, ":hard" its hard generation (tabletop, room; without a
+/// seed that of 1), ":exact" disables noise, ":uneven" adds bumps, ":drab" reduces the colours. Intrinsics in
+/// `options` apply to the rendered images (640 x 480 stays, of colour too). Error: names the scene and lists
+/// the known ones.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);
 

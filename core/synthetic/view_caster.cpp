@@ -45,7 +45,7 @@ ViewCaster::ViewCaster(const SyntheticScene& scene, const View& view)
       for (int x = seen[0]; x <= seen[1]; ++x) {
         const auto [nearest, farthest] = depthRange(rays, bounds, x, y);
         if (nearest <= farthest) {
-          tiles_[tileIndex(x, y)].push_back({static_cast<std::uint16_t>(i), nearest});
+          tiles_[tileIndex(x, y)].push_back({static_cast<std::uint16_t>(i), part.instance, nearest});
         }
       }
     }
@@ -117,11 +117,14 @@ std::pair<double, double> ViewCaster::depthRange(const LinearRays& rays, const B
   return {nearest - kRounding, farthest + kRounding};
 }
 
-ViewCaster::Hit ViewCaster::cast(int u, int v) const {
+ViewCaster::Hit ViewCaster::cast(int u, int v, std::uint16_t ignored) const {
   Hit best;
   for (const Candidate& candidate : tiles_[tileIndex(u / kTile, v / kTile)]) {
     if (candidate.nearest_z >= best.z) {
       break;
+    }
+    if (candidate.instance == ignored) {
+      continue;
     }
     const ShapeHit hit = scene_.parts()[candidate.part].shape->intersect(
         rays_[candidate.part].at(u, v, view_.parallel), best.z);

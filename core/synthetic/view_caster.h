@@ -29,7 +29,8 @@ class ViewCaster {
 
   /// Keeps a reference to the scene.
   ViewCaster(const SyntheticScene& scene, const View& view);
-  [[nodiscard]] Hit cast(int u, int v) const;
+  /// The nearest hit, on parts of all instances but `ignored`.
+  [[nodiscard]] Hit cast(int u, int v, std::uint16_t ignored = 0) const;
   /// The hit point in its part's frame.
   [[nodiscard]] Vec3 localPoint(const Hit& hit, int u, int v) const;
 
@@ -44,6 +45,7 @@ class ViewCaster {
   };
   struct Candidate {
     std::uint16_t part;
+    std::uint16_t instance;
     double nearest_z;  // no ray of the tile hits the part's bounds before this depth
   };
   /// Tiles that the projected corners of the part's bounds may cover: first and last of x and y.

@@ -17,8 +17,9 @@ namespace scantrove::benchmarks {
 /// Options: the random scenes and how to scan them.
 struct SceneOptions {
   std::string cache;
-  std::vector<std::string> rooms, tables;  ///< "1-3", "7", "5:uneven"
+  std::vector<std::string> rooms, tables, hands;  ///< "1-3", "7", "5:uneven", "6-9:hard"
   bool bumpy = false;
+  bool hard = false;
   std::vector<std::string> settings;
   std::string poses = "tracked";
   int every = 5;
@@ -27,9 +28,11 @@ struct SceneOptions {
 
   void addTo(CLI::App& app) {
     app.add_option("--cache", cache, "folder that keeps the rendered scenes")->required();
-    app.add_option("--rooms", rooms, "seeds of demo:room, such as 1-5,9,7:uneven")->delimiter(',');
+    app.add_option("--rooms", rooms, "seeds of demo:room, such as 1-5,9,7:uneven,11-15:hard")->delimiter(',');
     app.add_option("--tables", tables, "seeds of demo:tabletop")->delimiter(',');
+    app.add_option("--hands", hands, "seeds of demo:hands")->delimiter(',');
     app.add_flag("--uneven", bumpy, "surfaces with bumps, in all scenes");
+    app.add_flag("--hard", hard, "all rooms and tables of the hard generation");
     app.add_option("--set", settings, "parameters, key=value");
     app.add_option("--poses", poses, "tracked or given")->check(CLI::IsMember({"tracked", "given"}));
     app.add_option("--every", every, "compare every N-th frame with the truth")->check(CLI::PositiveNumber);
@@ -37,17 +40,17 @@ struct SceneOptions {
     app.add_option("--stride", stride, "every N-th frame")->check(CLI::PositiveNumber);
   }
 
-  /// The scenes of a kind ("room" or "tabletop"), named as after "demo:".
+  /// The scenes of a kind ("room", "tabletop" or "hands"), named as after "demo:".
   [[nodiscard]] std::vector<std::string> scenesOf(const std::string& kind) const {
     std::vector<std::string> scenes;
-    for (const std::string& range : kind == "room" ? rooms : tables) {
+    for (const std::string& range : kind == "room" ? rooms : (kind == "hands" ? hands : tables)) {
       const std::size_t colon = std::min(range.find(':'), range.size());
       const std::size_t dash = std::min(range.find('-'), colon);
       const int first = std::stoi(range);
       const int last = dash < colon ? std::stoi(range.substr(dash + 1)) : first;
-      const std::string surface = bumpy ? ":uneven" : range.substr(colon);
+      const std::string modes = (bumpy ? ":uneven" : range.substr(colon)) + (hard ? ":hard" : "");
       for (int seed = first; seed <= last; ++seed)
-        scenes.push_back(fmt::format("{}:{}{}", kind, seed, surface));
+        scenes.push_back(fmt::format("{}:{}{}", kind, seed, modes));
     }
     return scenes;
   }

@@ -2,8 +2,8 @@
 // evaluates both every few frames, as the images of --label-maps. Prints a line per scene, and means, for
 // each set of parameters.
 //
-//   segmentation_benchmark --cache DIR --rooms 1-5 --tables 1-5 [--uneven] [--rule graph,thesis] [--set
-//   key=value]
+//   segmentation_benchmark --cache DIR --rooms 1-5 --tables 1-5,11-15:hard [--hands 1-3] [--uneven] [--hard]
+//   [--rule graph,thesis] [--set key=value]
 #include <cstdio>
 
 #include "core/evaluation/segmentation_metrics.h"
@@ -171,7 +171,7 @@ Result<void> run(const Options& options) {
   for (const Variant& variant : *variants) {
     printHeader(variant);
     std::vector<SceneScore> all;
-    for (const char* kind : {"room", "tabletop"}) {
+    for (const char* kind : {"room", "tabletop", "hands"}) {
       std::vector<SceneScore> of_kind;
       for (const std::string& scene : options.scenes.scenesOf(kind)) {
         const auto recording = cache.recordingOf(scene);
@@ -182,7 +182,7 @@ Result<void> run(const Options& options) {
         of_kind.push_back(*score);
         all.push_back(*score);
       }
-      printMean(fmt::format("mean of {}s", kind), of_kind);
+      printMean(fmt::format("mean of {}", kind), of_kind);
     }
     printMean("mean of all", all);
   }

@@ -16,6 +16,8 @@ std::vector<std::string> seeds() {
           "kinect",
           "tabletop:3:uneven:drab",
           "room:12:exact",
+          "room:5:hard",
+          "hands:2",
           "red cup",
           "M\xC3\xBCsli \xE2\x80\xA8 \x1B[31m",
           "120:320,200"};

@@ -24,19 +24,25 @@ struct Kind {
 };
 const Kind kRoom{"room", synthetic::makeRandomRoomScene, 300};
 const Kind kTabletop{"tabletop", synthetic::makeRandomTabletopScene, 240};
+const Kind kHardRoom{"hardRoom", synthetic::makeHardRoomScene, 300};
+const Kind kHardTabletop{"hardTabletop", synthetic::makeHardTabletopScene, 240};
 
-/// Every kind of random scene with thirty seeds.
+/// Every kind of random scene with many seeds.
 class RandomSceneTest : public testing::TestWithParam<std::tuple<Kind, std::uint32_t>> {
  protected:
   const Kind kind = std::get<0>(GetParam());
   const std::uint32_t seed = std::get<1>(GetParam());
   const SceneRecipe recipe = kind.make(seed);
 };
+std::string nameOf(const testing::TestParamInfo<std::tuple<Kind, std::uint32_t>>& test) {
+  return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
+}
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSceneTest,
                          testing::Combine(testing::Values(kRoom, kTabletop), testing::Range(1U, 31U)),
-                         [](const auto& test) {
-                           return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
-                         });
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(HardSeeds, RandomSceneTest,
+                         testing::Combine(testing::Values(kHardRoom, kHardTabletop), testing::Range(1U, 9U)),
+                         nameOf);
 
 /// Casts vertical rays; skips instances whose boxes they miss.
 class PlumbLines {
