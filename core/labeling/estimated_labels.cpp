@@ -114,22 +114,27 @@ void EstimatedLabels::project(RenderedView& view) const {
   });
 }
 
-void EstimatedLabels::update(const RenderedView& view, std::span<const FragmentId> fragments) {
+void EstimatedLabels::update(const RenderedView& view, std::span<const std::uint8_t> estimated,
+                             std::span<const FragmentId> fragments) {
   const Intrinsics& K = view.K;
   const CameraDepth depth(view.T_world_camera);
   forVisible(bricks_, view, [&](Bricks::value_type& entry, Cell& cell, const Seen& seen) {
     const std::size_t pixel = K.indexOf(seen.u, seen.v);
     const bool is_measured =
         view.vertices_world[pixel].w() > 0 && (view.is_estimated.empty() || view.is_estimated[pixel] == 0);
-    if (!is_measured || depth(view.vertices_world[pixel]) < seen.z_m - kThrough_m) return;
-    change(entry, cell, {});
+    if (is_measured && depth(view.vertices_world[pixel]) >= seen.z_m - kThrough_m) change(entry, cell, {});
+    if (!is_measured && !estimated.empty() && estimated[pixel] == 0) weaken(entry, cell);
   });
   std::erase_if(bricks_, [](const auto& entry) { return entry.second.used == 0; });
-  if (view.is_estimated.empty()) return;
-  for (std::size_t pixel = 0; pixel < fragments.size(); ++pixel) {
-    if (view.is_estimated[pixel] != 0 && fragments[pixel])
+  for (std::size_t pixel = 0; pixel < estimated.size(); ++pixel) {
+    if (estimated[pixel] != 0 && fragments[pixel])
       set(view.vertices_world[pixel].head<3>(), fragments[pixel]);
   }
+}
+
+void EstimatedLabels::weaken(Bricks::value_type& entry, Cell& cell) {
+  const auto confidence = static_cast<std::uint8_t>(cell.confidence - 1);
+  change(entry, cell, confidence > 0 ? Cell{cell.fragment, confidence} : Cell{});
 }
 
 void EstimatedLabels::set(const Eigen::Vector3f& vertex_world, FragmentId fragment) {
@@ -143,7 +148,7 @@ void EstimatedLabels::set(const Eigen::Vector3f& vertex_world, FragmentId fragme
     const int confidence = std::min(cell.confidence + 1, kMaxConfidence);
     change(entry, cell, {fragment, static_cast<std::uint8_t>(confidence)});
   } else if (cell.confidence > 1) {
-    change(entry, cell, {cell.fragment, static_cast<std::uint8_t>(cell.confidence - 1)});
+    weaken(entry, cell);
   } else {
     change(entry, cell, {fragment, 1});
   }

@@ -26,10 +26,12 @@ class EstimatedLabels {
   /// there, and marks them in `view.is_estimated`. The image sizes are those of view.K.
   void project(RenderedView& view) const;
 
-  /// Writes the fragments of the estimated pixels of `view` into their cells, and removes cells that the
-  /// measured surface of `view` contradicts. A cell changes its fragment only after as many frames as said
-  /// the other one before, at most eight.
-  void update(const RenderedView& view, std::span<const FragmentId> fragments);
+  /// Writes the fragments of the pixels that this frame estimated into their cells, and removes cells that
+  /// the measured surface of `view` contradicts. A cell changes its fragment, or goes, only after as many
+  /// frames as said the other one before, or estimated nothing there; at most eight. `estimated`: by pixel
+  /// of `view`, SegmentMap::is_estimated; empty: the frame could not tell.
+  void update(const RenderedView& view, std::span<const std::uint8_t> estimated,
+              std::span<const FragmentId> fragments);
 
   /// Number of cells of each fragment, by fragment number; may end before the highest number.
   [[nodiscard]] const std::vector<int>& cellsOfFragments() const { return counts_; }
@@ -91,6 +93,8 @@ class EstimatedLabels {
   [[nodiscard]] static Eigen::Vector3i placeOf(std::size_t cell);
   [[nodiscard]] Eigen::Vector3f centerOf(const Eigen::Vector3i& brick, std::size_t cell) const;
   void set(const Eigen::Vector3f& vertex_world, FragmentId fragment);
+  /// One frame less says its fragment.
+  void weaken(Bricks::value_type& entry, Cell& cell);
   /// Replaces a cell of a brick and counts.
   void change(Bricks::value_type& entry, Cell& cell, const Cell& to);
 

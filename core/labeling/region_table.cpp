@@ -22,7 +22,6 @@ FragmentId RegionTable::newFragmentBeside(FragmentId fragment) {
   std::vector<FragmentId> members = members_.at(region).fragments;
   members.insert(std::ranges::upper_bound(members, cut), cut);
   seen_from_[cut.value] = seen_from_[fragment.value];
-  support_pixels_[cut.value] = support_pixels_[fragment.value];
   assign(region, std::move(members));
   ++version_;
   return cut;

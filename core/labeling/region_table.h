@@ -40,7 +40,8 @@ class RegionTable {
  public:
   /// A new fragment without voxels, in a new region.
   FragmentId newFragment();
-  /// A new fragment without voxels, split from `fragment`: same region, seen alike.
+  /// A new fragment without voxels, split from `fragment`: same region, same view coverage. How it
+  /// was seen on supports is not known: a cup that parts from the table is no support.
   FragmentId newFragmentBeside(FragmentId fragment);
   /// Frees a fragment that no voxel holds any more.
   void free(FragmentId fragment);

@@ -46,9 +46,11 @@ class MapLabels {
   /// the next call.
   std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, const RegionMerger::Outcome& merged,
                                           const LabelingParams& params);
-  /// Writes the merged fragments of a view's estimated surface, and removes what its measured surface
-  /// contradicts.
-  void updateEstimated(const RenderedView& view) { estimated_.update(view, view.fragments); }
+  /// Writes the merged fragments of the surface that `segments` estimate in a view, and removes what the
+  /// view contradicts.
+  void updateEstimated(const RenderedView& view, const SegmentMap& segments) {
+    estimated_.update(view, segments.is_estimated, view.fragments);
+  }
   [[nodiscard]] EstimatedLabels& estimated() { return estimated_; }
   /// Updates the evidence about where the frame's regions are seen.
   void recordDirections(const RenderedView& view) { directions_.record(view, table_); }

@@ -125,7 +125,7 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
   touched_ = timer_.time("update", [&] { return labels_->update(surface, merged, params_.labeling); });
   result.view.fragments = std::move(merged.fragments);
   result.view.regions = std::move(merged.regions);
-  labels_->updateEstimated(result.view);
+  labels_->updateEstimated(result.view, result.segments);
   result.region_events = std::move(merged.events);
   timer_.time("discover", [&] {
     labels_->recordDirections(result.view);
@@ -210,7 +210,7 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
         labels_->merge(segments, seen.view, seen.observed.color_lab, {}, params_.labeling);
     labels_->update(observed_, merged, params_.labeling);
     seen.view.fragments = std::move(merged.fragments);
-    labels_->updateEstimated(seen.view);
+    labels_->updateEstimated(seen.view, segments);
     labels_->recordSupports(segments, seen.view);
     applyRegionEvents(merged.events);
     return std::move(merged.events);

@@ -22,7 +22,7 @@ struct SegmentMap {
   std::vector<std::uint32_t> ids;  ///< width * height, row by row; 0 = unlabelled, else 1 .. count()
   std::vector<int> areas;          ///< pixels of each id; areas[0] = unlabelled pixels
   std::vector<float> depths_m;     ///< width * height: z in the camera of each labelled pixel, else 0
-  /// Pixels whose depth was estimated, not measured (supported_segments.h); empty: none.
+  /// Pixels whose depth was estimated, not measured (supported_segments.h); empty: no support tells.
   std::vector<std::uint8_t> is_estimated = {};
 
   std::vector<SegmentRole> roles = {};  ///< by id; empty: all are free

@@ -201,7 +201,7 @@ class SupportSegmenter {
 
   /// Replaces the segments by the new ones, and numbers all by their first pixel.
   void write() {
-    if (!estimated_.empty()) segments_.is_estimated.assign(segments_.ids.size(), 0);
+    segments_.is_estimated.assign(segments_.ids.size(), 0);
     for (const auto& [pixel, z_m] : estimated_) {
       segments_.depths_m[pixel] = z_m;
       segments_.is_estimated[pixel] = 1;

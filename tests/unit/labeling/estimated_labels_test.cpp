@@ -51,11 +51,13 @@ void writeEstimate(EstimatedLabels& labels, RenderedView view, int u, int v, dou
   view.vertices_world[pixel] = pointSeenAt(view, u, v, z_m).cast<float>().homogeneous();
   std::vector<FragmentId> fragments(view.vertices_world.size());
   fragments[pixel] = fragment;
-  for (int i = 0; i < times; ++i) labels.update(view, fragments);
+  // The other pixels are estimated, too, but of no fragment, so that their cells stay as they are.
+  const std::vector<std::uint8_t> estimated(fragments.size(), 1);
+  for (int i = 0; i < times; ++i) labels.update(view, estimated, fragments);
 }
 
 void observe(EstimatedLabels& labels, const RenderedView& measured) {
-  labels.update(measured, std::vector<FragmentId>(measured.vertices_world.size()));
+  labels.update(measured, {}, std::vector<FragmentId>(measured.vertices_world.size()));
 }
 
 int cellsOf(const EstimatedLabels& labels, FragmentId fragment) {
@@ -158,6 +160,34 @@ TEST(EstimatedLabels, AnotherFragmentTakesOverSoon_HoweverManyFramesAgreedBefore
   EXPECT_EQ(projectedAt(labels, 20, 15), kGlass);
   writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kBottle, 7);
   EXPECT_EQ(projectedAt(labels, 20, 15), kBottle);
+}
+
+/// A frame with supports sees the place of the cell at (20, 15), which it takes for nothing.
+void seeNothing(EstimatedLabels& labels) {
+  RenderedView view = emptyViewFrom();
+  labels.project(view);
+  const std::vector<std::uint8_t> estimated(view.vertices_world.size(), 0);
+  labels.update(view, estimated, view.fragments);
+}
+
+TEST(EstimatedLabels, CellsGo_WhenAsManyFramesEstimateNothingThere) {
+  for (const int frames : {1, 3, 8}) {
+    EstimatedLabels labels(kVoxel_m);
+    writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass, frames);
+    for (int i = 1; i < frames; ++i) seeNothing(labels);
+    EXPECT_EQ(cellsOf(labels, kGlass), 1) << frames;
+    seeNothing(labels);
+    EXPECT_TRUE(labels.isEmpty()) << frames << ": seeing a cell does not confirm it";
+  }
+}
+
+TEST(EstimatedLabels, HiddenCellsStay_WhenFramesEstimateNothingThere) {
+  EstimatedLabels labels(kVoxel_m);
+  writeEstimate(labels, emptyViewFrom(), 20, 15, 1, kGlass);
+  const RenderedView wall = measuredWall(0.5F);
+  const std::vector<std::uint8_t> estimated(wall.vertices_world.size(), 0);
+  for (int i = 0; i < 20; ++i) labels.update(wall, estimated, wall.fragments);
+  EXPECT_EQ(cellsOf(labels, kGlass), 1);
 }
 
 TEST(EstimatedLabels, CountsAreCellsOfEachFragment) {
