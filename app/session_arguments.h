@@ -14,6 +14,7 @@ struct SessionArguments {
   std::string device;
   bool json = false;
   std::vector<std::uint32_t> regions;
+  bool proposed = false;
   std::string name;
   std::optional<std::string> category;
   bool undo = false;

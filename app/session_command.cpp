@@ -31,15 +31,17 @@ Result<void> runAction(const SessionArguments& arguments, const SessionAction& a
   return (*session)->findDisturbance();
 }
 
+/// `check` may throw CLI::ValidationError.
 CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
-                    const std::shared_ptr<SessionArguments>& arguments, CommandJob& job,
-                    SessionAction action) {
+                    const std::shared_ptr<SessionArguments>& arguments, CommandJob& job, SessionAction action,
+                    std::function<void(const SessionArguments&)> check = {}) {
   CLI::App* sub = parent.add_subcommand(name, help);
   sub->add_option("DIR", arguments->folder, "folder of the session")->required();
   sub->add_flag("--json", arguments->json, "as JSON");
   sub->add_option("--device", arguments->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
-  sub->callback([arguments, &job, action = std::move(action)] {
+  sub->callback([arguments, &job, action = std::move(action), check = std::move(check)] {
+    if (check) check(*arguments);
     job = [arguments, action] { return runAction(*arguments, action); };
   });
   return sub;
@@ -64,6 +66,29 @@ void addMaskOptions(CLI::App& suggest, SessionArguments& arguments) {
   suggest.add_flag("--apply", arguments.apply, "perform the proposals; each can be undone");
 }
 
+void addOff(CLI::App& sub, SessionArguments& arguments) {
+  sub.add_flag("--off", arguments.undo, "undo the mark");
+}
+
+/// Takes numbers of regions, or --proposed.
+void addBackground(CLI::App& parent, const std::shared_ptr<SessionArguments>& arguments, CommandJob& job) {
+  const auto mark = [](OpenSession& session, const SessionArguments& given) {
+    return given.proposed ? markProposedBackground(session, given)
+                          : editSession(session, given, OperationKind::background);
+  };
+  const auto check = [](const SessionArguments& given) {
+    if (given.regions.empty() != given.proposed)
+      throw CLI::ValidationError("--proposed", "marks all proposed regions, R single ones. Give one of them");
+    if (given.proposed && given.undo) throw CLI::ValidationError("--off", "needs numbers of regions");
+  };
+  CLI::App* sub =
+      addAction(parent, "background", "Mark as background (wall, floor, table)", arguments, job, mark, check);
+  sub->add_option("R", arguments->regions, "numbers of regions");
+  sub->add_flag("--proposed", arguments->proposed,
+                "instead of R: all regions that look like background, because things stand on them");
+  addOff(*sub, *arguments);
+}
+
 }  // namespace
 
 void addSessionCommand(CLI::App& app, CommandJob& job) {
@@ -84,7 +109,6 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
         ->type_name("R");
     return sub;
   };
-  const auto addOff = [&](CLI::App* sub) { sub->add_flag("--off", arguments->undo, "undo the mark"); };
   const auto addNoCatalogue = [&](CLI::App* sub) {
     sub->add_flag("--no-catalogue", arguments->without_catalogue,
                   "change the session only, not its catalogue");
@@ -106,10 +130,10 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
                    "its category, such as cup (default: unchanged)")
       ->type_name("C");
   addRegions(add("join", "Join regions; the first keeps its number", edit(OperationKind::join)));
-  addOff(addRegions(
-      add("background", "Mark as background (wall, floor, table)", edit(OperationKind::background))));
-  addOff(addNoCatalogue(addRegions(add("object", "Mark as object", edit(OperationKind::object)))));
-  addOff(addRegions(add("reject", "Mark as not an object", edit(OperationKind::reject))));
+  addBackground(*parent, arguments, job);
+  addOff(*addNoCatalogue(addRegions(add("object", "Mark as object", edit(OperationKind::object)))),
+         *arguments);
+  addOff(*addRegions(add("reject", "Mark as not an object", edit(OperationKind::reject))), *arguments);
   addRegions(add("finer", "Split a region further", edit(OperationKind::finer)));
   addRegions(add("coarser", "Merge a region with its most likely neighbour", edit(OperationKind::coarser)));
   CLI::App* cut_command = add("cut", "Split a region between two sets of points", cutRegion);

@@ -40,6 +40,13 @@ Operation operationOn(OperationKind kind, const SessionArguments& arguments) {
   return operation;
 }
 
+/// The edit in the session and its catalogue.
+Result<void> carryOut(OpenSession& session, const SessionArguments& arguments, const Operation& operation) {
+  const auto outcome = session.edit(operation);
+  if (outcome) updateCatalogue(session, arguments);
+  return report(outcome, arguments);
+}
+
 /// Error: fewer than `steps` operations are in that state.
 Result<void> checkSteps(const OpenSession& session, OperationLog::State state, int steps, const char* verb) {
   const auto available = std::ranges::count(session.history().entries(), state, &OperationLog::Entry::state);
@@ -68,9 +75,21 @@ Result<void> editSession(OpenSession& session, const SessionArguments& arguments
     if (isNaming(kind))
       session.setMetadata(sessionOnlyKeyOf(region), arguments.without_catalogue ? operation.name : "");
   }
-  const auto outcome = session.edit(operation);
-  if (outcome) updateCatalogue(session, arguments);
-  return report(outcome, arguments);
+  return carryOut(session, arguments, operation);
+}
+
+Result<void> markProposedBackground(OpenSession& session, const SessionArguments& arguments) {
+  const auto regions = session.regions();
+  if (!regions) return fail(regions.error());
+  Operation operation;
+  operation.kind = OperationKind::background;
+  for (const RegionSummary& region : *regions) {
+    if (region.is_proposed_background) operation.regions.push_back(region.region);
+  }
+  if (!operation.regions.empty()) return carryOut(session, arguments, operation);
+  std::cerr << "scantrove: No region is proposed as background; nothing was changed.\n";
+  if (arguments.json) printJson({{"regions", Json::array()}});
+  return {};
 }
 
 Result<void> cutRegion(OpenSession& session, const SessionArguments& arguments) {

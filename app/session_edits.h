@@ -9,6 +9,8 @@ namespace scantrove {
 /// Any operation but a cut.
 [[nodiscard]] Result<void> editSession(OpenSession& session, const SessionArguments& arguments,
                                        OperationKind kind);
+/// Marks all regions that are proposed as background, in one operation. Without any it says so.
+[[nodiscard]] Result<void> markProposedBackground(OpenSession& session, const SessionArguments& arguments);
 [[nodiscard]] Result<void> cutRegion(OpenSession& session, const SessionArguments& arguments);
 /// Undoes all steps or none.
 [[nodiscard]] Result<void> undoEdits(OpenSession& session, const SessionArguments& arguments);

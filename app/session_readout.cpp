@@ -29,6 +29,7 @@ Json toJson(const RegionSummary& region, const Eigen::Vector3d& origin) {
             {"is_object", region.label.is_object},
             {"confirmed", region.label.confirmed},
             {"background", region.label.background},
+            {"proposed_background", region.is_proposed_background},
             {"rejected", region.label.rejected},
             {"seen_share", region.seen_from.share()}};
   if (region.label.object) json["object"] = region.label.object.value;
@@ -52,11 +53,12 @@ const char* wordFor(OperationLog::State state) {
 Result<void> showSession(OpenSession& session, const SessionArguments& arguments) {
   const auto regions = session.regions();
   if (!regions) return fail(regions.error());
-  std::size_t usable = 0, named = 0, objects = 0, done = 0;
+  std::size_t usable = 0, named = 0, objects = 0, proposed = 0, done = 0;
   for (const SavedFrame& frame : session.frames()) usable += frame.isUsable() ? 1U : 0U;
   for (const RegionSummary& region : *regions) {
     named += region.label.is_named ? 1U : 0U;
     objects += region.label.object ? 1U : 0U;
+    proposed += region.is_proposed_background ? 1U : 0U;
   }
   Json recordings = Json::array();
   for (const SavedRecording& one : session.recordings())
@@ -77,6 +79,7 @@ Result<void> showSession(OpenSession& session, const SessionArguments& arguments
                {"regions", regions->size()},
                {"named", named},
                {"objects", objects},
+               {"proposed_background", proposed},
                {"operations", done},
                {"ended", session.hasEnded()},
                {"refined", !session.canBeRefined()},
@@ -92,7 +95,7 @@ Result<void> showSession(OpenSession& session, const SessionArguments& arguments
   std::cout << "\nframes      " << session.frames().size() << ", " << usable << " tracked, "
             << session.keyFrames().size() << " key frames\nmap         " << session.brickCount()
             << " bricks\nregions     " << regions->size() << ", " << named << " named, " << objects
-            << " objects\noperations  " << done << "\nrefined     "
+            << " objects, " << proposed << " proposed as background\noperations  " << done << "\nrefined     "
             << (session.canBeRefined() ? "no; run 'scantrove session refine'" : "yes") << '\n';
   if (!are_current.value_or(true))
     std::cout << "files       cloud, labels.json and label images are older than the last edits; "
@@ -117,6 +120,7 @@ Result<void> listRegions(OpenSession& session, const SessionArguments& arguments
               << " voxels " << std::fixed << std::setprecision(0) << std::setw(5) << size_cm.x() << " x "
               << size_cm.y() << " x " << size_cm.z() << " cm  " << inLine(region.label.name)
               << (region.label.background ? "  background" : "")
+              << (region.is_proposed_background ? "  background?" : "")
               << (region.label.rejected ? "  rejected" : "") << '\n';
   }
   return {};

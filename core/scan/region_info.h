@@ -22,6 +22,7 @@ struct RegionInfo {
   ViewCoverage seen_from = {};  ///< all its fragments together
   /// Its label; none: the note applies.
   std::optional<RegionLabel> label = {};
+  bool is_proposed_background = false;  ///< isProposedBackground()
 
   /// The name that a user gave, here or in the catalogue; empty: none.
   [[nodiscard]] std::string name() const {

@@ -62,14 +62,16 @@ struct MapDrifted {
 struct ScanAdvice {
   Error error;
 };  ///< a problem of the whole scan that the user can fix; the scan goes on
+/// An operation took effect, and is on disk if the scan has a session.
 struct Edited {
   ScanEdit edit;
   std::vector<RegionId> regions;  ///< the current regions that the operation affected
-};  ///< a user's operation took effect, and is on disk if the scan has a session
+  bool is_automatic = false;      ///< an Operation that the scan did by itself
+};
 struct EditFailed {
   ScanEdit edit;
   Error error;
-};  ///< a user's operation had no effect, or is not on disk
+};  ///< an operation had no effect, or is not on disk
 /// The session of the ended scan, or of an opened one, is ready for review.
 struct ReviewOpened {
   bool can_refine = false;  ///< its refinement was skipped, or the scan was interrupted before it

@@ -10,6 +10,7 @@
 #include "core/base/overloaded.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
+#include "core/refinement/continued_background.h"
 #include "core/scan/scan_opener.h"
 #include "core/session/session_setup.h"
 
@@ -31,6 +32,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanL
   SnapshotBuilder& snapshots = run->snapshots_;
   ScanParts& parts = run->parts_;
   SCANTROVE_TRY(moveInto(parts, ScanOpener::open(request, run->listener_, std::move(on_events))));
+  run->last_earlier_region_ = parts.pipeline->labels().table().lastRegion();
   run->tally_.emplace(parts.earlier_frames);
   run->advisor_.emplace(parts.request.params.fusion.max_depth_m);
   if (!request.pictures) snapshots.omitPictures();
@@ -194,12 +196,14 @@ void ScanRun::keepJoins() {
     parts_.recorder->setMetadata(name, value);
 }
 
-void ScanRun::edit(const ScanEdit& edit) {
+void ScanRun::edit(const ScanEdit& edit) { perform(edit, false); }
+
+void ScanRun::perform(const ScanEdit& edit, bool is_automatic) {
   snapshots_.beginEdit(*parts_.pipeline);
   const Result<RegionEditor::Outcome> outcome = doEdit(edit);
   snapshots_.endEdit(*parts_.pipeline);
   if (outcome) {
-    listener_(Edited{edit, outcome->regions});
+    listener_(Edited{edit, outcome->regions, is_automatic});
   } else {
     listener_(EditFailed{edit, outcome.error()});
   }
@@ -222,6 +226,24 @@ Result<void> ScanRun::showWhenDue(ScanState state) {
 
 Result<void> ScanRun::showNow(ScanState state) { return snapshots_.flush(*parts_.pipeline, progress(state)); }
 
+Result<void> ScanRun::carryBackground() {
+  const MapLabels& labels = parts_.pipeline->labels();
+  const RegionTable& table = labels.table();
+  ContinuedBackground background(
+      {table, labels.editor().notes(), labels.editor().log(), parts_.objects->labels()},
+      last_earlier_region_);
+  if (!background.mayFind()) return {};
+  SCANTROVE_TRY(parts_.pipeline->readout().forEachCloudPoint([&](const LabelPoint& point) {
+    background.add(table.regionOf(FragmentId{point.fragment}), {point.x, point.y, point.z},
+                   {point.normal_x, point.normal_y, point.normal_z});
+  }));
+  Operation operation;
+  operation.kind = OperationKind::background;
+  operation.regions = background.find();
+  if (!operation.regions.empty()) perform(operation, true);
+  return {};
+}
+
 void ScanRun::refine(const Ending& ending) {
   if (!parts_.recorder || !hasFrames()) return;
   refinement_.run(parts_, {ending.refines, [&] { ending.enter(ScanState::refining); },
@@ -236,6 +258,8 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
   // Parts that need only this process come first: catalogue or device may fail slowly.
   const bool has_results = parts_.output && !parts_.keeps_earlier_scan;
   if (has_results) outcome.note(parts_.output->writeTrajectory());
+  // Before the refinement, which rates the regions that are no background.
+  outcome.note(guarded("marking background", [&] { return carryBackground(); }));
   refine(ending);
   outcome.note(guarded("storing what was found", [&] {
     return parts_.objects->finish([this](const FrameObjects& objects) { announce(objects); });

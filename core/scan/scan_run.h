@@ -70,6 +70,8 @@ class ScanRun {
   [[nodiscard]] Result<void> skip(const FrameRead& read);
   void announce(const FrameObjects& objects);
   void announceMapFailure();
+  /// Applies an edit as edit() does.
+  void perform(const ScanEdit& edit, bool is_automatic);
   [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
   /// Stores in the session.
@@ -79,6 +81,9 @@ class ScanRun {
   void advise(const Error& advice);
   /// Replaces a young map that misled tracking by a new one, if it has no objects and no edits.
   [[nodiscard]] Result<void> restartIfMisled(int frame_index);
+  /// Marks new supports that continue background (ContinuedBackground), so that a person marks a table or
+  /// floor once for all scans of a session. Error: the device failed.
+  [[nodiscard]] Result<void> carryBackground();
   void refine(const Ending& ending);
   void fillReport(ScanReport& report);
   /// The objects with the objectness of their most likely regions.
@@ -91,6 +96,7 @@ class ScanRun {
   ScanParts parts_;
   std::optional<FrameRead> next_read_;  // read from the source ahead of time
   bool is_recording_noted_ = false;     // in the session
+  RegionId last_earlier_region_;        // of earlier scans of the session
   std::optional<ScanTally> tally_;
   std::optional<ScanAdvisor> advisor_;
   std::vector<std::string> advice_;

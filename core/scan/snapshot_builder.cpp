@@ -173,15 +173,19 @@ void SnapshotBuilder::addRegions(MappingPipeline& pipeline, ScanSnapshot& snapsh
   struct RegionTotal {
     std::int64_t voxels = 0;
     ViewCoverage seen_from;
+    SupportPixels support_pixels;
   };
   std::map<RegionId, RegionTotal> regions;
-  const std::vector<RegionId>& region_of = pipeline.labels().table().regions();
+  const RegionTable& table = pipeline.labels().table();
+  const std::vector<RegionId>& region_of = table.regions();
   const std::vector<cl_int>& of_fragment = pipeline.labels().voxelsOfFragments();
   for (std::size_t fragment = 1; fragment < std::min(region_of.size(), of_fragment.size()); ++fragment) {
     if (!region_of[fragment] || of_fragment[fragment] <= 0) continue;
     RegionTotal& total = regions[region_of[fragment]];
+    const FragmentId id{static_cast<std::uint32_t>(fragment)};
     total.voxels += of_fragment[fragment];
-    total.seen_from.add(pipeline.labels().table().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
+    total.seen_from.add(table.seenFrom(id));
+    total.support_pixels += table.supportPixels(id);
   }
   const std::map<RegionId, RegionLabel> labels =
       labels_.of_regions ? labels_.of_regions() : std::map<RegionId, RegionLabel>();
@@ -190,8 +194,9 @@ void SnapshotBuilder::addRegions(MappingPipeline& pipeline, ScanSnapshot& snapsh
   for (const auto& [region, total] : regions) {
     const auto found = labels.find(region);
     const RegionLabel label = found == labels.end() ? RegionLabel{} : found->second;
-    infos->push_back({region, total.voxels, pipeline.labels().editor().notes().of(region), label.object,
-                      total.seen_from, label});
+    const RegionNote& note = pipeline.labels().editor().notes().of(region);
+    infos->push_back({region, total.voxels, note, label.object, total.seen_from, label,
+                      isProposedBackground(total.support_pixels, note, label)});
   }
   snapshot.region_infos = std::move(infos);
   auto operations = std::make_shared<std::vector<DoneOperation>>();

@@ -210,6 +210,8 @@ Result<std::vector<RegionSummary>> OpenSession::regions() {
     summary.centroid_world = (sums.at(region) / static_cast<double>(summary.voxels)).cast<float>();
     summary.note = pipeline_->labels().editor().notes().of(region);
     summary.label = labelOf(region);
+    summary.is_proposed_background =
+        isProposedBackground(table.supportPixels(region), summary.note, summary.label);
     list.push_back(std::move(summary));
   }
   return list;

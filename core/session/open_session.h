@@ -30,7 +30,8 @@ struct RegionSummary {
   Eigen::AlignedBox3f box_world;
   RegionNote note;
   RegionLabel label;
-  ViewCoverage seen_from;  ///< by the camera
+  bool is_proposed_background = false;  ///< isProposedBackground()
+  ViewCoverage seen_from;               ///< by the camera
 };
 
 /// A session that is viewed, edited and exported without a camera. Operations are on disk when they return.

@@ -4,6 +4,7 @@
 
 #include "core/catalogue/region_object.h"
 #include "core/editing/region_notes.h"
+#include "core/labeling/support_pixels.h"
 
 namespace scantrove {
 
@@ -22,6 +23,13 @@ struct RegionLabel {
 /// that (`is_session_only`). A deleted entry is no object.
 [[nodiscard]] RegionLabel labelOf(const RegionNote& note, const RegionObject& object,
                                   bool is_session_only = false);
+
+/// Whether a region looks like background and nobody has decided on it: a support without a note that is no
+/// object of the catalogue. `label`: labelOf(note, its object).
+[[nodiscard]] inline bool isProposedBackground(const SupportPixels& pixels, const RegionNote& note,
+                                               const RegionLabel& label) {
+  return pixels.isSupport() && note == RegionNote{} && !label.is_object;
+}
 
 /// Regions merged into an object get the category of its other regions.
 void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<RegionId, RegionObject>& objects);

@@ -70,6 +70,32 @@ TEST_F(SessionCommandTest, UndoAndRedoRestoreTheRegionTableByteForByte) {
   expectJobFailure(session({"name", "--region", "99999", "--name", "x"}), {"99999"});
 }
 
+TEST_F(SessionCommandTest, BackgroundMarksAllProposedRegionsInOneStep) {
+  const auto idsWith = [&](const char* flag) {
+    std::vector<int> ids;
+    for (const Json& one : Json::parse(regionTable())) {
+      if (one[flag] == true) ids.push_back(one["id"]);
+    }
+    return ids;
+  };
+  const std::string before = regionTable();
+  const std::vector<int> proposed = idsWith("proposed_background");
+  ASSERT_FALSE(proposed.empty()) << "things stand on the table of the demo";
+  EXPECT_EQ(jsonFrom({"show"})["proposed_background"], proposed.size());
+  EXPECT_THAT(session({"regions"}).out, testing::HasSubstr("background?"));
+  EXPECT_EQ(jsonFrom({"background", "--proposed"})["regions"], Json(proposed));
+  EXPECT_EQ(idsWith("background"), proposed);
+  EXPECT_TRUE(idsWith("proposed_background").empty());
+  const std::string marked = regionTable();
+  const Finished again = session({"background", "--proposed"});
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.err, testing::HasSubstr("No region is proposed as background"));
+  EXPECT_EQ(regionTable(), marked);
+  EXPECT_EQ(jsonFrom({"history"}).size(), 1U);
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
+  EXPECT_EQ(regionTable(), before);
+}
+
 TEST_F(SessionCommandTest, RefusesMultiLineAndLongNames) {
   const std::string region = std::to_string(byDecreasingSize().at(3));
   const std::string before = regionTable();

@@ -74,6 +74,8 @@ void MainMenus::makeMenus() {
   QMenu* recent_names = regions->addMenu(tr("Recent &names"));
   recent_names->addActions(of_regions.recent);
   regions->addSeparator();
+  regions->addAction(of_regions.mark_supports);
+  regions->addSeparator();
   regions->addActions({of_regions.next, of_regions.previous});
 
   QMenu* view = window_.menuBar()->addMenu(tr("&View"));

@@ -25,6 +25,8 @@ RegionActions::RegionActions(QObject* parent) : QObject(parent) {
                     tr("Accept all suggestions"));
   not_this =
       make("", tr("Re&ject suggestion"), {Qt::Key_Backspace}, tr("Reject this suggestion permanently"));
+  mark_supports = make("", tr("Mark s&upports as background"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
+                       tr("Mark all surfaces that things stand on as background"));
   next = make("", tr("Ne&xt region"), {Qt::Key_Tab}, tr("Select the next smaller region"));
   previous = make("", tr("Pre&vious region"), {QKeySequence(Qt::SHIFT | Qt::Key_Tab)},
                   tr("Select the next larger region"));
@@ -35,6 +37,7 @@ RegionActions::RegionActions(QObject* parent) : QObject(parent) {
   setRecentNames({});
   enableFor(0, false, false);
   enableProposals(false);
+  enableSupports(false);
 }
 
 void RegionActions::enableProposals(bool any) {
@@ -57,7 +60,7 @@ QList<QAction*> RegionActions::onSelection() const {
 }
 
 QList<QAction*> RegionActions::all() const {
-  return onSelection() + QList{accept, accept_all, not_this, next, previous} + recent;
+  return onSelection() + QList{accept, accept_all, not_this, mark_supports, next, previous} + recent;
 }
 
 void RegionActions::enableFor(std::size_t count, bool is_background, bool is_rejected) {

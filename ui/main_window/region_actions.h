@@ -23,6 +23,7 @@ class RegionActions : public QObject {
   QAction* accept;
   QAction* accept_all;
   QAction* not_this;
+  QAction* mark_supports;  ///< all that are proposed as background
   QAction* next;
   QAction* previous;
   QAction* fit;
@@ -36,6 +37,8 @@ class RegionActions : public QObject {
   void enableFor(std::size_t count, bool is_background, bool is_rejected);
   /// `any`: there are suggestions.
   void enableProposals(bool any);
+  /// `any`: there are supports that nobody marked.
+  void enableSupports(bool any) { mark_supports->setEnabled(any); }
   void setRecentNames(const QStringList& names);
 
  private:

@@ -154,6 +154,7 @@ void RegionController::connectActions() {
   on(actions_.accept, [this] { operations_.acceptFirst(); });
   on(actions_.accept_all, [this] { operations_.acceptAll(); });
   on(actions_.not_this, [this] { operations_.proposals().rejectFirst(); });
+  on(actions_.mark_supports, [this] { operations_.markSupports(); });
   on(actions_.next, [this] { selection_.selectBySize(true); });
   on(actions_.previous, [this] { selection_.selectBySize(false); });
   on(actions_.fit, [this] {
@@ -298,6 +299,7 @@ void RegionController::updateActions() {
   actions_.enableFor(selected.size(), first != nullptr && first->note.background,
                      first != nullptr && first->note.rejected);
   actions_.cut->setEnabled(!selection_.infos().empty());
+  actions_.enableSupports(!selection_.proposedBackground().empty());
   if (!splitter_->isActive()) return;
   actions_.deselect->setEnabled(true);
   actions_.name->setEnabled(true);  // Return accepts the split
@@ -331,6 +333,7 @@ QStringList RegionController::tagOf(RegionId region) {
   if (info->note.rejected) metadata << tr("rejected");
   if (info->object) metadata << tr("object");
   lines << metadata.join(QStringLiteral(" · "));
+  if (info->is_proposed_background) lines << tr("looks like background: things stand on it");
   if (const QString next = splitter_->instruction(); !next.isEmpty()) lines << next;
   return lines;
 }

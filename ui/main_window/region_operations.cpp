@@ -114,6 +114,13 @@ void RegionOperations::applyToAll(OperationKind kind, bool on) {
   perform(std::move(operation));
 }
 
+void RegionOperations::markSupports() {
+  Operation operation;
+  operation.kind = OperationKind::background;
+  operation.regions = selection_.proposedBackground();
+  if (!operation.regions.empty()) perform(std::move(operation));
+}
+
 void RegionOperations::join() {
   std::vector<RegionId> regions = selection_.selected();
   if (regions.size() < 2) return;
@@ -194,6 +201,7 @@ void RegionOperations::edited(const Edited& event) {
   }
   const auto* operation = std::get_if<Operation>(&event.edit);
   if (operation == nullptr) return;
+  if (event.is_automatic) return addStep(*operation);
   switch (operation->kind) {
     case OperationKind::name:
       proposeSimilar(*operation);
@@ -207,6 +215,11 @@ void RegionOperations::edited(const Edited& event) {
     default:
       break;
   }
+}
+
+void RegionOperations::addStep(const Operation& operation) {
+  if (!knows_history_) return;  // of an earlier scan, or the history to come includes it
+  history_.append(this, std::make_shared<Command>(*this, descriptionOf(operation), operation, true));
 }
 
 void RegionOperations::editFailed(const EditFailed& event) {

@@ -38,6 +38,8 @@ class RegionOperations : public QObject {
   /// Performs one operation on the selected regions, or one on each of them.
   void applyToAll(OperationKind kind, bool on = true);
   void applyToEach(OperationKind kind);
+  /// Marks all regions that are proposed as background, in one operation.
+  void markSupports();
   /// Joins the selected regions; a named one is first, so that its name is used.
   void join();
   /// Names the selected regions; asks for confirmation if one is background.
@@ -63,6 +65,8 @@ class RegionOperations : public QObject {
   /// Adds stored operations of a session as undo steps.
   void updateHistory(const std::vector<DoneOperation>& operations);
   void edited(const Edited& event);
+  /// Adds an operation that the scan did by itself as an undo step.
+  void addStep(const Operation& operation);
   void editFailed(const EditFailed& event);
   [[nodiscard]] QString descriptionOf(const Operation& operation) const;
   /// Suggests regions similar to the named one.

@@ -111,6 +111,14 @@ std::set<RegionId> RegionSelection::background() const {
   return regions;
 }
 
+std::vector<RegionId> RegionSelection::proposedBackground() const {
+  std::vector<RegionId> regions;
+  for (const RegionInfo& region : *infos_) {
+    if (region.is_proposed_background) regions.push_back(region.region);
+  }
+  return regions;
+}
+
 QString RegionSelection::title(RegionId region) const {
   const RegionInfo* const known = info(region);
   if (known != nullptr && !known->name().empty()) return QString::fromStdString(known->name());

@@ -40,6 +40,8 @@ class RegionSelection : public QObject {
   [[nodiscard]] const RegionInfo* info(RegionId region) const;
   [[nodiscard]] const RegionInfos& infos() const { return *infos_; }
   [[nodiscard]] std::set<RegionId> background() const;
+  /// Regions that look like background and that nobody marked, by rising number.
+  [[nodiscard]] std::vector<RegionId> proposedBackground() const;
   /// Its name, or "Region 12".
   [[nodiscard]] QString title(RegionId region) const;
 

@@ -29,6 +29,13 @@ class UndoHistory::Entry final : public QUndoCommand {
 
 void UndoHistory::push(Owner owner, Step step) { stack_.push(new Entry(*this, owner, std::move(step))); }
 
+void UndoHistory::append(Owner owner, Step step) {
+  std::vector<StepState> steps = all();
+  std::erase_if(steps, [](const StepState& one) { return !one.is_done; });
+  steps.push_back({owner, std::move(step), true});
+  replaceAll(steps);
+}
+
 void UndoHistory::prepend(Owner owner, const std::vector<Step>& steps, std::size_t done) {
   std::vector<StepState> later = all();
   const bool is_anything_done = std::ranges::any_of(later, &StepState::is_done);

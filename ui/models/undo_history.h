@@ -18,6 +18,8 @@ class UndoHistory {
 
   /// Runs redo() of the step and stores it, unless it is obsolete after that.
   void push(Owner owner, Step step);
+  /// Adds a step that is done already. Undone steps can no longer be redone.
+  void append(Owner owner, Step step);
   /// Adds steps from before all others. Steps from index `done` on can be redone, unless another step has
   /// been done since.
   void prepend(Owner owner, const std::vector<Step>& steps, std::size_t done);

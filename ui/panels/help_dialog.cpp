@@ -66,6 +66,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Shift, Return, Escape while splitting"), tr("Add a stroke; accept; cancel"));
   line(tr("+ and −"), tr("Split further, merge with neighbour (without a selection: zoom)"));
   line(tr("B, O, Del"), tr("Background; mark as object; not an object"));
+  line(tr("Ctrl+B"), tr("Mark all supports as background"));
   line(tr("A, Shift+A, Backspace"), tr("Suggestion: accept; accept all; reject"));
   line(tr("."), tr("Zoom to selection"));
   line(tr("Escape"), tr("Deselect"));

@@ -107,6 +107,17 @@ TEST(CommandLine, AcceptsAnEmptyName) {
   expectCommand(parse({"session", "name", "scan", "--region", "1", "--name", ""}));
 }
 
+TEST(CommandLine, BackgroundTakesRegionsOrTheProposedOnes) {
+  expectCommand(parse({"session", "background", "scan", "3", "12"}));
+  expectCommand(parse({"session", "background", "scan", "3", "--off"}));
+  expectCommand(parse({"session", "background", "scan", "--proposed"}));
+  expectRefused(parse({"session", "background", "scan"}), {"--proposed", "Give one of them"});
+  expectRefused(parse({"session", "background", "scan", "3", "--proposed"}),
+                {"--proposed", "Give one of them"});
+  expectRefused(parse({"session", "background", "scan", "--proposed", "--off"}),
+                {"--off", "numbers of regions"});
+}
+
 TEST(CommandLine, RefusesArguments_WhenTheyAreNotUtf8) {
   expectRefused(parse({"scan", "demo", "--out", "out\xFF"}), {"--out", "is not UTF-8"});
   expectRefused(parse({"session", "name", "scan", "--region", "1", "--name", "\xFF"}), {"name"});

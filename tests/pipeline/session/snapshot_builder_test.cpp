@@ -125,6 +125,28 @@ TEST_F(SnapshotBuilderTest, CountsTheRegionsInView) {
   EXPECT_EQ(snapshot->region_count, static_cast<int>(in_view.size()));
 }
 
+TEST_F(SnapshotBuilderTest, ProposesSupportsAsBackground) {
+  static_cast<void>(addFrame());
+  const auto infosNow = [this] {
+    EXPECT_TRUE(builder_.flush(*pipeline_, progress_));
+    return *mailbox_.collect()->region_infos;
+  };
+  const RegionInfos before = infosNow();
+  ASSERT_GT(before.size(), 1U);
+  const RegionId support = before.front().region, other = before.back().region;
+  RegionTable& table = pipeline_->labels().table();
+  constexpr float kMuch = 1e7F;  // more than the frame has pixels
+  table.addSupportPixels(table.fragmentsOf(support).front(), {kMuch, kMuch, 0});
+  table.addSupportPixels(table.fragmentsOf(other).front(), {kMuch, 0, kMuch});
+  EXPECT_TRUE(infosNow().front().is_proposed_background);
+  EXPECT_FALSE(infosNow().back().is_proposed_background);
+  Operation mark;
+  mark.kind = OperationKind::background;
+  mark.regions = {support};
+  ASSERT_TRUE(pipeline_->edit(mark));
+  EXPECT_FALSE(infosNow().front().is_proposed_background);
+}
+
 // Changes by a user come with the next snapshot, marked, however many bricks wait.
 TEST_F(SnapshotBuilderTest, SendsChangesByAUserFirst) {
   static_cast<void>(addFrame());

@@ -78,6 +78,18 @@ TEST_F(UndoHistoryTest, UndoneStepsOfAnOpenedScanCanBeRedone) {
   EXPECT_THAT(notes_, ElementsAre("+cut"));
 }
 
+TEST_F(UndoHistoryTest, AppendedStepIsDoneAlready_AndEndsRedoing) {
+  history_.push(&regions_, step("name"));
+  history_.push(&regions_, step("cut"));
+  history_.stack().undo();
+  notes_.clear();
+  history_.append(&regions_, step("mark"));
+  EXPECT_TRUE(notes_.empty());
+  EXPECT_FALSE(history_.stack().canRedo());
+  undoAll();
+  EXPECT_THAT(notes_, ElementsAre("-mark", "-name"));
+}
+
 TEST_F(UndoHistoryTest, UndoesTheNewestStep_OnlyForItsOwner) {
   history_.push(&regions_, step("cut"));
   history_.push(&catalogue_, step("rename"));

@@ -64,6 +64,23 @@ TEST(RegionLabel, IsNoObject_WhenAPersonRejectedIt) {
   EXPECT_FALSE(labelOf(note, known(7, "cup")).is_object);
 }
 
+TEST(ProposedBackground, IsASupport_ThatNobodyMarked) {
+  constexpr SupportPixels kTable{10000, 9000, 0}, kMug{10000, 0, 9000};
+  ASSERT_TRUE(kTable.isSupport());
+  EXPECT_TRUE(isProposedBackground(kTable, {}, {}));
+  EXPECT_FALSE(isProposedBackground(kMug, {}, {}));
+  RegionNote background, object, rejected;
+  background.background = object.object = rejected.rejected = true;
+  for (const RegionNote& note : {background, object, rejected, noteOf("table"), noteOf("", "furniture")})
+    EXPECT_FALSE(isProposedBackground(kTable, note, labelOf(note, {})));
+}
+
+TEST(ProposedBackground, IsNoObjectOfTheCatalogue) {
+  constexpr SupportPixels kTable{10000, 9000, 0};
+  EXPECT_FALSE(isProposedBackground(kTable, {}, labelOf({}, known(7, "Obj_7", NamedBy::program))));
+  EXPECT_TRUE(isProposedBackground(kTable, {}, labelOf({}, {.state = State::deleted})));
+}
+
 TEST(RegionLabel, MergedRegionsShareTheClassOfTheirObject) {
   std::map<RegionId, RegionObject> objects{{kOne, known(7, "mug")}, {kOther, known(7, "mug")}};
   objects[kOther].is_merged = true;
