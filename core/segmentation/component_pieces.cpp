@@ -23,6 +23,7 @@ constexpr float kClearFold = 0.002F;     // of the depth, over kBend_px
 constexpr float kSameColor = 2.5F;       // Lab: less is one material, also across a fold
 constexpr float kSimilarColor = 5;       // Lab: less across a border is one colour
 constexpr float kOtherColor = 1000;
+constexpr float kLow_m = 0.03F;     // higher things are not one with a flat part: a vase on a cloth
 constexpr double kOpenPart = 0.5;   // of a flat part's outline that borders on no raised part
 constexpr double kRoundPart = 0.9;  // of the convex outline of one object
 
@@ -146,6 +147,12 @@ class Divider {
 
   [[nodiscard]] bool isFlat(int seed) const { return seed > raised_; }
 
+  /// Mean height of a seed's pixels.
+  [[nodiscard]] float heightOf(int seed) const {
+    const cv::Mat1b pixels(seeds_ == seed);
+    return static_cast<float>(cv::mean(component_.height_m, pixels)[0]);
+  }
+
   /// Each pixel takes the piece of the nearest seed, and the height of the nearest measured pixel.
   [[nodiscard]] ComponentPieces spread() const {
     ComponentPieces pieces{cv::Mat1i(image_.size(), 0), cv::Mat1f(image_.size(), 0.0F), count_};
@@ -240,7 +247,7 @@ class Divider {
       const bool is_even =
           border.fold() <= kClearFold && (color < kSimilarColor || isRound(pair.first, pair.second));
       const bool is_one = isFlat(pair.first) != isFlat(pair.second)
-                              ? color < kSimilarColor
+                              ? color < kSimilarColor && heightOf(std::min(pair.first, pair.second)) < kLow_m
                               : (continues && border.fold() <= 0) || is_even || color < kSameColor;
       if (!is_one) continue;
       const int a = rootOf(pair.first), b = rootOf(pair.second);

@@ -23,8 +23,8 @@ struct ComponentPieces {
 /// Divides a component into objects that touch in the image. Its pieces are its larger segments that rise
 /// from the support, and its larger flat parts that these do not enclose. Two raised pieces are one object if
 /// the surface continues from one to the other without a fold, or if both together have a round outline, as
-/// the inside and the outside of a cup do. A flat and a raised piece are one if they have one colour. Other
-/// pixels follow the nearest piece. `min_piece_px`: smaller segments make no piece.
+/// the inside and the outside of a cup do. A flat and a low raised piece are one if they have
+/// one colour. Other pixels follow the nearest piece. `min_piece_px`: smaller segments make no piece.
 [[nodiscard]] ComponentPieces divideComponent(const SupportedComponent& component, double min_piece_px,
                                               const SupportLimits& limits);
 

@@ -104,7 +104,17 @@ TEST(DivideComponent, SheetThatTouchesABoxIsAPieceOfItsOwn) {
   expectTwoPieces(boxAndSheet().paintRight().divide());
 }
 
-TEST(DivideComponent, FlatPartIsOfTheBox_WhenItHasItsColor) { expectOnePiece(boxAndSheet().divide()); }
+TEST(DivideComponent, FlatPartIsOfALowThing_WhenItHasItsColor) {
+  TwoBoxes spoon = boxAndSheet();
+  spoon.component.height_m(kLeftPiece).setTo(0.02);
+  expectOnePiece(spoon.divide());
+}
+
+TEST(DivideComponent, FlatPartIsOfNoTallThing_WhateverItsColor) {
+  TwoBoxes vase = boxAndSheet();
+  vase.component.height_m(kLeftPiece).setTo(0.1);
+  expectTwoPieces(vase.divide());
+}
 
 TEST(DivideComponent, FlatPartIsOfWhatEnclosesIt) {
   // The rim of a plate around its inside.
