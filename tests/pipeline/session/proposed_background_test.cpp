@@ -27,7 +27,9 @@ TEST_F(ScanWorkerTest, SavedScanProposesASupport_UntilItIsMarked) {
   {
     const auto session = OpenSession::open(folder_ / "scan");
     ASSERT_TRUE(session) << session.error().message();
-    for (const RegionSummary& one : (*session)->regions().value()) {
+    const auto regions = (*session)->regions();
+    ASSERT_TRUE(regions);
+    for (const RegionSummary& one : *regions) {
       if (!one.label.is_object && !one.is_proposed_background) region = one.region;
     }
     ASSERT_TRUE(region);
