@@ -36,8 +36,8 @@ Result<void> writeEstimates(DatabaseConnection& database, const std::vector<Save
                                      {at.x(), at.y(), at.z()}));
       continue;
     }
-    const auto bytes = static_cast<qsizetype>(one.words.size() * sizeof(std::uint32_t));
-    const QByteArray cells(reinterpret_cast<const char*>(one.words.data()), bytes);
+    const std::size_t bytes = one.words.size() * sizeof(std::uint32_t);
+    const QByteArray cells(reinterpret_cast<const char*>(one.words.data()), static_cast<qsizetype>(bytes));
     SCANTROVE_TRY(
         put(database, "estimates", {{"x", at.x()}, {"y", at.y()}, {"z", at.z()}, {"cells", cells}}));
   }

@@ -36,7 +36,7 @@ Origins originsOf(const RenderedFrame& now, const Intrinsics& K, const PartMotio
             to_v < static_cast<float>(size.height) - 0.5F)) {
         continue;
       }
-      const cv::Point to(static_cast<int>(to_u + 0.5F), static_cast<int>(to_v + 0.5F));
+      const cv::Point to(static_cast<int>(std::lround(to_u)), static_cast<int>(std::lround(to_v)));
       float& nearest = origins.z.at<float>(to);
       if (p.z() >= nearest) continue;
       nearest = p.z();
@@ -85,7 +85,7 @@ cv::Mat colorAt(const RenderedFrame& now, const Intrinsics& K, const PartMotions
 cv::Mat exposeColor(const RenderedFrame& now, const Intrinsics& K, std::span<const PartMotions> moments) {
   cv::Mat sum = cv::Mat::zeros(now.color.size(), CV_32FC3);
   for (const PartMotions& motions : moments) {
-    const cv::Mat color = colorAt(now, K, motions);
+    cv::Mat color = colorAt(now, K, motions);
     if (moments.size() == 1) return color;
     cv::add(sum, color, sum, {}, CV_32F);
   }

@@ -151,9 +151,9 @@ std::vector<Waypoint> addMove(const TakenThing& taken, const Vec3& away, const V
   hand.way.push_back({start_s, away});
   at(1.1, up);
   at(1.5, Vec3::Zero());
-  const std::vector<Waypoint> carried{{start_s + 1.7, Vec3::Zero()}, {start_s + 2.1, up},
-                                      {start_s + 2.8, held},         {start_s + 3.5, held},
-                                      {start_s + 4.2, shift + up},   {start_s + 4.7, shift}};
+  std::vector<Waypoint> carried{{start_s + 1.7, Vec3::Zero()}, {start_s + 2.1, up},
+                                {start_s + 2.8, held},         {start_s + 3.5, held},
+                                {start_s + 4.2, shift + up},   {start_s + 4.7, shift}};
   for (const Waypoint& key : carried) hand.way.push_back({key.time_s, grip + key.at});
   at(4.9, shift);
   at(5.3, shift + up);
@@ -196,7 +196,7 @@ CameraPath makeTripod(HashStream& random, const Stand& top) {
   const double away = height * std::tan(tilt);
   const Vec3 target(top.area.center.x(), top.area.center.y(), top.z);
   const Gaze gaze{target + Vec3(away * std::cos(azimuth), away * std::sin(azimuth), height), target};
-  return [gaze](double /*time_s*/) { return gaze; };
+  return [gaze](double /*time_s*/) { return Gaze(gaze); };
 }
 
 }  // namespace
