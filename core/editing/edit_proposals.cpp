@@ -40,8 +40,8 @@ class JoinGroups {
       if (!group.votes) continue;
       EditProposal proposal{{.kind = OperationKind::join, .regions = group.regions}, *group.votes};
       // The labelled one keeps its identity.
-      std::ranges::stable_partition(proposal.operation.regions,
-                                    [this](RegionId region) { return statements_.labeled.contains(region); });
+      std::stable_partition(proposal.operation.regions.begin(), proposal.operation.regions.end(),
+                            [this](RegionId region) { return statements_.labeled.contains(region); });
       proposals.push_back(std::move(proposal));
     }
     return proposals;
