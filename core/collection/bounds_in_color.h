@@ -13,6 +13,10 @@ class BoundsInColor {
     first_ = {std::min(first_.x, place[0]), std::min(first_.y, place[1])};
     last_ = {std::max(last_.x, place[0]), std::max(last_.y, place[1])};
   }
+  void add(const BoundsInColor& other) {
+    first_ = {std::min(first_.x, other.first_.x), std::min(first_.y, other.first_.y)};
+    last_ = {std::max(last_.x, other.last_.x), std::max(last_.y, other.last_.y)};
+  }
   /// The rectangle in fractions of the colour image, widened to whole pixels of a `depth`-sized image.
   /// Requires an add().
   [[nodiscard]] cv::Rect2f box(const cv::Size& depth) const {

@@ -10,7 +10,8 @@ namespace scantrove {
 
 /// The objects of a view by number, each with its regions there and their rectangle in the colour image;
 /// catalogue data is not filled in. `object_of` returns none for a region that is no object. `in_color` has
-/// the same pixels. Objects under `least_pixels` are left out as remnants. Any thread.
+/// the same pixels. Objects under `least_pixels` are left out as remnants, and stray pixels
+/// do not count for the rectangle. Any thread.
 [[nodiscard]] std::vector<SeenObject> objectsInView(const RenderedView& view, const SurfaceInColor& in_color,
                                                     const std::function<ObjectId(RegionId)>& object_of,
                                                     int least_pixels);

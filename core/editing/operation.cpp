@@ -4,6 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "core/base/label_name.h"
+#include "core/base/text.h"
+
 namespace scantrove {
 namespace {
 
@@ -30,5 +33,16 @@ std::optional<OperationKind> operationKindOf(std::string_view text) {
 }
 
 bool isNaming(OperationKind kind) { return kind == Kind::name || kind == Kind::accept; }
+
+Result<Operation> withCheckedNames(Operation operation) {
+  if (!isNaming(operation.kind)) return operation;
+  if (!trimmed(operation.name).empty()) {
+    SCANTROVE_TRY(moveInto(operation.name, checkedLabelName(operation.name)));
+  } else {
+    operation.name.clear();
+  }
+  SCANTROVE_TRY(moveInto(operation.category, checkedCategoryName(operation.category)));
+  return operation;
+}
 
 }  // namespace scantrove

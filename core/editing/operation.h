@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/base/result.h"
 
 namespace scantrove {
 
@@ -44,5 +45,9 @@ struct Operation {
 
   bool operator==(const Operation&) const = default;
 };
+
+/// The operation with names in their stored form, by the catalogue's rule. Empty names, which remove a name,
+/// are valid. Error: a name is not allowed.
+[[nodiscard]] Result<Operation> withCheckedNames(Operation operation);
 
 }  // namespace scantrove

@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/label_name.h"
-#include "core/base/text.h"
 #include "core/editing/surface_split.h"
 #include "core/labeling/region_partition.h"
 
@@ -42,19 +40,6 @@ std::set<std::pair<RegionId, RegionId>> joinedBy(const OperationLog::Entry& entr
 UserLabel userLabelOf(const RegionNote& note) {
   if (!note.name.empty() || note.object) return UserLabel::object;
   return note.background || note.rejected ? UserLabel::background : UserLabel::nothing;
-}
-
-/// The operation with names in their stored form, by the catalogue's rule. Empty names, which remove a name,
-/// are valid.
-Result<Operation> withCheckedNames(Operation operation) {
-  if (!isNaming(operation.kind)) return operation;
-  if (!trimmed(operation.name).empty()) {
-    SCANTROVE_TRY(moveInto(operation.name, checkedLabelName(operation.name)));
-  } else {
-    operation.name.clear();
-  }
-  SCANTROVE_TRY(moveInto(operation.category, checkedCategoryName(operation.category)));
-  return operation;
 }
 
 }  // namespace

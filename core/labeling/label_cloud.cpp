@@ -12,16 +12,12 @@
 
 namespace scantrove {
 namespace {
-constexpr int kMissingCapacity = 1 << 16;  // missing bricks that one update can list at a time
 /// Pixels that only confirm voxels of full confidence write in one of kTurns updates, in runs of kTurnPixels.
 constexpr std::size_t kTurns = 4, kTurnPixels = 16;
 }  // namespace
 
 LabelCloud::LabelCloud(ComputeContext& compute, PointExtractor extractor)
-    : compute_(compute),
-      extractor_(std::move(extractor)),
-      counts_(compute.context(), 2),
-      missing_(compute.context(), kMissingCapacity) {}
+    : compute_(compute), extractor_(std::move(extractor)), touched_count_(compute.context(), 1) {}
 
 Result<std::unique_ptr<LabelCloud>> LabelCloud::create(ComputeContext& compute) {
   Result<PointExtractor> extractor = PointExtractor::create(compute);
@@ -69,33 +65,24 @@ void LabelCloud::fitFragments(std::uint32_t highest) {
 std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface,
                                                     std::span<const FragmentId> merged,
                                                     std::span<const FragmentId> split_off,
-                                                    const LabelingParams& params, BrickMap& map) {
+                                                    const LabelingParams& params, const BrickMap& map) {
   const bool is_projected = projected_view_ && projected_view_->matrix() == surface.T_world_camera.matrix();
   listPixels(merged, split_off, !params.voxel_confidence || !is_projected);
   touched_bricks_.clear();
-  std::vector<Eigen::Vector3i> missing = writeLabels(surface, params, false, map);
-  while (!missing.empty()) {
-    map.allocate(missing);
-    fitStamps(map);
-    for (const Eigen::Vector3i& brick : missing) {
-      if (const int slot = map.device().slotOf(brick); slot != BRICK_NONE)
-        stamps_.fill(compute_.queue(), LABEL_BRICK_NEW, static_cast<std::size_t>(slot), 1);
-    }
-    missing = writeLabels(surface, params, true, map);
-  }
+  writeLabels(surface, params, map);
   fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
   return touched_bricks_;
 }
 
 void LabelCloud::listPixels(std::span<const FragmentId> merged, std::span<const FragmentId> split_off,
                             bool all) {
-  ++updates_;
+  if (!all) ++turn_;
   pixels_host_.clear();
   new_labels_host_.clear();
   std::uint32_t highest = 0;
   for (std::size_t pixel = 0; pixel < merged.size(); ++pixel) {
     const std::uint32_t fragment = merged[pixel].value;
-    const bool has_turn = all || (pixel / kTurnPixels + updates_) % kTurns == 0;
+    const bool has_turn = all || (pixel / kTurnPixels + turn_) % kTurns == 0;
     if (fragment == 0 || (!has_turn && projected_host_[pixel] == (fragment | LABEL_SURE))) continue;
     highest = std::max(highest, fragment);
     const bool at_once = std::ranges::find(split_off, FragmentId{fragment}) != split_off.end();
@@ -109,11 +96,10 @@ void LabelCloud::listPixels(std::span<const FragmentId> merged, std::span<const 
   new_labels_.write(compute_.queue(), new_labels_host_);
 }
 
-std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface, const LabelingParams& params,
-                                                     bool only_new, const BrickMap& map) {
-  if (pixels_host_.empty()) return {};
+void LabelCloud::writeLabels(const SurfaceMaps& surface, const LabelingParams& params, const BrickMap& map) {
+  if (pixels_host_.empty()) return;
   fitStamps(map);
-  counts_.fill(compute_.queue(), 0);
+  touched_count_.fill(compute_.queue(), 0);
   ++stamp_;
   const Intrinsics& K = surface.K;
   const Lanes& lanes = compute_.lanes();
@@ -123,21 +109,13 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
       surface.window.size(), surface.window.first(), map.device().table(), map.device().tableMask(),
       toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width},
       map.voxelSize(), params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},
-      cl_int{stamp_}, cl_int{only_new ? 1 : 0}, map.pools().labels(), fragment_voxels_, stamps_, counts_,
-      touched_, missing_, cl_int{kMissingCapacity});
-  std::array<cl_int, 2> counts{};
-  counts_.read(compute_.queue(), std::span<cl_int>(counts));
-  touched_slots_.resize(static_cast<std::size_t>(counts[0]));
+      cl_int{stamp_}, map.pools().labels(), fragment_voxels_, stamps_, touched_count_, touched_);
+  cl_int touched = 0;
+  touched_count_.read(compute_.queue(), std::span<cl_int>(&touched, 1));
+  touched_slots_.resize(static_cast<std::size_t>(touched));
   touched_.read(compute_.queue(), std::span<cl_int>(touched_slots_));
   // Slots may be reassigned before the caller reads them, so store positions.
   for (const cl_int slot : touched_slots_) touched_bricks_.push_back(map.device().positionOf(slot));
-  std::vector<cl_int4> found(static_cast<std::size_t>(std::min(counts[1], cl_int{kMissingCapacity})));
-  missing_.read(compute_.queue(), std::span<cl_int4>(found));
-  std::vector<Eigen::Vector3i> missing;
-  for (const cl_int4& m : found) missing.emplace_back(m.s[0], m.s[1], m.s[2]);
-  sortBricks(missing);
-  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-  return missing;
 }
 
 void LabelCloud::fitStamps(const BrickMap& map) {

@@ -29,17 +29,19 @@ class LabelCloud {
   /// Writes S_cloud,t into exactly the voxels that Algorithm 1 would write, visiting only those in view.
   /// `merged`: the fragment of each pixel of `surface`. With `params.voxel_confidence` a voxel changes its
   /// fragment only after as many frames as its confidence. It changes to fragments in `split_off` at once.
-  /// Pixels that only confirm voxels of full confidence (project()) are written every fourth time. Allocates
-  /// missing bricks. Returns the bricks that were written to.
+  /// Pixels that only confirm voxels of full confidence (project()) are written every fourth time. Voxels of
+  /// missing bricks are left out. Returns the bricks that were written to.
   std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, std::span<const FragmentId> merged,
                                           std::span<const FragmentId> split_off, const LabelingParams& params,
-                                          BrickMap& map);
+                                          const BrickMap& map);
 
   /// Sets these voxels (brick_layout.h, each once) to `fragment`, except unlabelled ones. Bricks in the map's
   /// file are loaded.
   void relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment, BrickMap& map);
   /// The counts of a map that was loaded.
   void restoreVoxelCounts(std::vector<cl_int> voxels);
+  /// The number of frames that wrote to that map: they decide which pixels have their turn next.
+  void restoreTurn(std::size_t frames) { turn_ = frames; }
 
   /// Voxels of each fragment, by fragment number; may end before the highest number if the rest have none.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return fragment_voxels_host_; }
@@ -57,11 +59,8 @@ class LabelCloud {
 
   /// Makes room for counts of fragments up to `highest`.
   void fitFragments(std::uint32_t highest);
-  /// Writes new_labels_ to all voxels, or only to those of new bricks. Returns the missing bricks, whose
-  /// voxels are not written.
-  [[nodiscard]] std::vector<Eigen::Vector3i> writeLabels(const SurfaceMaps& surface,
-                                                         const LabelingParams& params, bool only_new,
-                                                         const BrickMap& map);
+  /// Writes new_labels_ to the voxels at the vertices of pixels_.
+  void writeLabels(const SurfaceMaps& surface, const LabelingParams& params, const BrickMap& map);
   /// Fills pixels_ and new_labels_.
   void listPixels(std::span<const FragmentId> merged, std::span<const FragmentId> split_off, bool all);
   void fitStamps(const BrickMap& map);
@@ -69,8 +68,8 @@ class LabelCloud {
   ComputeContext& compute_;
   PointExtractor extractor_;
   Kernel project_labels_, update_labels_, relabel_voxels_;
-  Buffer<cl_int> stamps_, touched_, counts_;
-  Buffer<cl_int4> listed_, missing_;
+  Buffer<cl_int> stamps_, touched_, touched_count_;
+  Buffer<cl_int4> listed_;
   Buffer<cl_uint> projected_, new_labels_;
   Buffer<cl_int> pixels_;
   Buffer<cl_int> fragment_voxels_;
@@ -79,7 +78,7 @@ class LabelCloud {
   std::vector<cl_uint> projected_host_, new_labels_host_;
   std::vector<cl_int> pixels_host_;
   cl_int stamp_ = 0;
-  std::size_t updates_ = 0;
+  std::size_t turn_ = 0;                             ///< updates of projected views
   std::optional<Eigen::Isometry3d> projected_view_;  ///< T_world_camera of projected_host_
 };
 

@@ -56,6 +56,8 @@ void restoreRegions(MapLabels& labels, const SavedScan& scan, Fragments fragment
     labels.table().addSupportPixels(one.fragment, one.support_pixels);
   }
   labels.cloud().restoreVoxelCounts(std::move(fragments.voxels));
+  const auto frames = std::ranges::count_if(scan.frames, &SavedFrame::isUsable);
+  labels.cloud().restoreTurn(static_cast<std::size_t>(frames));
   if (EvidenceGraph* graph = labels.merger().evidence()) {
     for (const SavedBorder& border : scan.borders) {
       if (border.evidence) graph->restore(border.a, border.b, *border.evidence);

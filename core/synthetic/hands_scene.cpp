@@ -215,8 +215,7 @@ SceneRecipe makeRandomHandsScene(std::uint32_t seed) {
   }
   recipe.lit_center = {0, 0, 0.4};
   recipe.lit_radius_m = 1.8;
-  recipe.lights = makeRandomLights(seed, recipe.lit_center);
-  recipe.camera = makeHardCamera(seed);
+  makeHard(recipe, seed);
   recipe.is_hand_held = false;
   return recipe;
 }

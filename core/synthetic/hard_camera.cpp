@@ -1,6 +1,7 @@
 #include "core/synthetic/hard_camera.h"
 
 #include "core/synthetic/hash_stream.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 
@@ -15,6 +16,11 @@ HardCamera makeHardCamera(std::uint32_t seed) {
   camera.color_delay_s = random.uniform(0.004, 0.03);
   camera.exposure_s = random.uniform(0.05, 0.1);
   return camera;
+}
+
+void makeHard(SceneRecipe& recipe, std::uint32_t seed) {
+  recipe.lights = makeRandomLights(seed, recipe.lit_center);
+  recipe.camera = makeHardCamera(seed);
 }
 
 std::vector<double> colorMoments(const HardCamera& camera, std::uint32_t frame) {

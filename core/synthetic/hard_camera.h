@@ -6,6 +6,8 @@
 
 namespace scantrove::synthetic {
 
+struct SceneRecipe;
+
 /// A camera with failures of real ones: besides the noise of KinectModel it loses the depth of shiny, dark
 /// and transparent surfaces, blurs some frames, and takes colour and depth at different moments.
 struct HardCamera {
@@ -18,6 +20,9 @@ struct HardCamera {
 
 /// A camera with a delay of 4 - 30 ms and exposures of 50 - 100 ms.
 [[nodiscard]] HardCamera makeHardCamera(std::uint32_t seed);
+
+/// Gives a scene the camera and the lights of `seed`. `recipe.lit_center` is set.
+void makeHard(SceneRecipe& recipe, std::uint32_t seed);
 
 /// Moments of the colour exposure, in seconds after depth: one, or several evenly spaced ones of a blurred
 /// frame.

@@ -160,8 +160,7 @@ SceneRecipe makeRandomRoomScene(std::uint32_t seed) { return makeRoomOf(seed, 10
 SceneRecipe makeHardRoomScene(std::uint32_t seed) {
   SceneRecipe recipe = makeRoomOf(seed, 11000, seed);
   recipe.name = "hard " + recipe.name;
-  recipe.lights = makeRandomLights(seed, recipe.lit_center);
-  recipe.camera = makeHardCamera(seed);
+  makeHard(recipe, seed);
   return recipe;
 }
 

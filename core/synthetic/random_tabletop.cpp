@@ -106,8 +106,7 @@ SceneRecipe makeRandomTabletopScene(std::uint32_t seed) { return makeTabletopOf(
 SceneRecipe makeHardTabletopScene(std::uint32_t seed) {
   SceneRecipe recipe = makeTabletopOf(seed, 12000, seed);
   recipe.name = "hard " + recipe.name;
-  recipe.lights = makeRandomLights(seed, recipe.lit_center);
-  recipe.camera = makeHardCamera(seed);
+  makeHard(recipe, seed);
   return recipe;
 }
 

@@ -10,7 +10,6 @@
 #define LABEL_CONFIDENCE_MAX 10u
 #define LABEL_MAX 0xffffffu
 #define LABEL_BRICK_UNUSED (-1)   /* stamp of a slot that no update has written to */
-#define LABEL_BRICK_NEW (-2)      /* stamp of a brick that was made for an update, update_labels.cl */
 #define LABEL_AT_ONCE 0x80000000u /* of a pixel's new label: voxels take it whatever they hold */
 #define LABEL_SURE 0x80000000u    /* of a pixel's projected label: its voxel is as sure as it can be */
 

@@ -5,7 +5,7 @@
 // voxels around its vertex and writes those seen in it. The result is the same, and no voxel is written twice.
 // With confidence: a voxel of the same fragment gains one (up to the cap); one of another fragment loses one and changes at
 // zero, or at once with LABEL_AT_ONCE. Without: it is overwritten.
-// A voxel in a missing brick is listed. Once the brick exists, another run with only_new writes only such voxels.
+// Voxels of missing bricks, which no depth has reached, are left out: labels never change the surface.
 // One work-item: LANES of the listed pixels.
 //   vertices         pixels of the view x float4, world, w = 0: no surface
 //   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts. Bricks
@@ -14,10 +14,8 @@
 //   labels           slots x 512 label voxels, in/out
 //   fragment_voxels  voxels that hold each fragment, in/out
 //   stamps           slots, in/out: number of the run in which the slot was last listed, so that it is listed once;
-//                    negative: not in any
-//   touched          out: slots in which a voxel was visited, counts[0] of them
-//   missing          capacity x int4, out: bricks that do not exist, with repetitions; counts[1] of them, only those within the
-//                    capacity are stored
+//                    LABEL_BRICK_UNUSED: in none
+//   touched          out: slots in which a voxel was visited, *touched_count of them
 #include "core/fusion/kernels/brick_field.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
 #include "core/labeling/kernels/label_voxel.h"
@@ -51,14 +49,12 @@ typedef struct {
   global uint* labels;
   volatile global int* fragment_voxels;
   volatile global int* stamps;
-  volatile global int* counts;
+  volatile global int* touched_count;
   global int* touched;
-  global int4* missing;
-  int capacity;
   int stamp;
 } Cloud;
 
-// The slots of voxels in lanes beyond the window, if the brick exists; other bricks are listed as missing.
+// The slots of voxels in lanes beyond the window, if their bricks exist.
 inline void find_beyond_window(const Cloud* cloud, const WaitingVoxels* waiting, const int from, int* slots) {
   KnownBrick known = no_brick_known();
   for (int lane = 0; lane < min(LANES, waiting->count - from); ++lane) {
@@ -70,8 +66,6 @@ inline void find_beyond_window(const Cloud* cloud, const WaitingVoxels* waiting,
       known.y = y;
       known.z = z;
       known.slot = find_brick(cloud->table, cloud->mask, x, y, z);
-      const int place = known.slot == BRICK_NONE ? atomic_inc(cloud->counts + 1) : cloud->capacity;
-      if (place < cloud->capacity) cloud->missing[place] = (int4)(x, y, z, 0);
     }
     slots[lane] = known.slot;
   }
@@ -83,7 +77,7 @@ typedef struct {
   uintN before;
 } Held;
 
-inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int from, const int only_new) {
+inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int from) {
   const intN x = LOAD(waiting->x + from) - BRICK_SIDE * cloud->first.x;
   const intN y = LOAD(waiting->y + from) - BRICK_SIDE * cloud->first.y;
   const intN z = LOAD(waiting->z + from) - BRICK_SIDE * cloud->first.z;
@@ -99,7 +93,6 @@ inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int 
   held.active = exists & (slot >= 0);
   held.slot = held.active ? slot : 0;
   held.stamped = GATHER(intN, cloud->stamps, held.slot);
-  if (only_new) held.active &= (held.stamped == LABEL_BRICK_NEW) | (held.stamped == cloud->stamp);
   const intN unused = held.active & where(held.stamped < 0);
   if (any_lane(unused)) {
     int slots[LANES], is_unused[LANES];
@@ -135,16 +128,16 @@ inline void change(const Cloud* cloud, const Held* held, const uintN label, cons
       }
     }
     if (is_first[lane] && atomic_xchg(cloud->stamps + slots[lane], cloud->stamp) != cloud->stamp)
-      cloud->touched[atomic_inc(cloud->counts)] = slots[lane];
+      cloud->touched[atomic_inc(cloud->touched_count)] = slots[lane];
   }
 }
 
 // Reads all voxels before writing any, so that the kernel waits for memory once.
-inline void change_waiting(const Cloud* cloud, WaitingVoxels* waiting, const int use_confidence, const int only_new) {
+inline void change_waiting(const Cloud* cloud, WaitingVoxels* waiting, const int use_confidence) {
   Held held[MOST_WAITING / LANES];
 #pragma unroll
   for (int i = 0; i < MOST_WAITING / LANES; ++i)
-    if (LANES * i < waiting->count) held[i] = look_up(cloud, waiting, LANES * i, only_new);
+    if (LANES * i < waiting->count) held[i] = look_up(cloud, waiting, LANES * i);
 #pragma unroll
   for (int i = 0; i < MOST_WAITING / LANES; ++i)
     if (LANES * i < waiting->count) change(cloud, &held[i], LOAD(waiting->labels + LANES * i), use_confidence);
@@ -170,10 +163,9 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
                           const int4 first, global const BrickEntry* table, const uint mask,
                           const float16 T_camera_world,
                           const float4 K, const int width, const float voxel_size,
-                          const float reach, const int use_confidence, const int stamp, const int only_new,
+                          const float reach, const int use_confidence, const int stamp,
                           global uint* labels, volatile global int* fragment_voxels, volatile global int* stamps,
-                          volatile global int* counts, global int* touched, global int4* missing,
-                          const int capacity) {
+                          volatile global int* touched_count, global int* touched) {
   const float16 T = T_camera_world;
   const float per_metre = 1.0f / voxel_size;
   const float around = reach * per_metre + 1e-3f; /* voxels; a little more against rounding */
@@ -201,8 +193,8 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
   STORE(convert_intN(y0), asked.y0);
   STORE(convert_intN(z0), asked.z0);
   STORE(label, asked.labels);
-  const Cloud cloud = {{cells, page_slots, 0, window_size}, first, table, mask, labels, fragment_voxels, stamps, counts, touched,
-                       missing, capacity, stamp};
+  const Cloud cloud = {{cells, page_slots, 0, window_size}, first, table, mask, labels, fragment_voxels, stamps,
+                       touched_count, touched, stamp};
   WaitingVoxels waiting;
   waiting.count = 0;
   const int voxels = side * side * side;
@@ -230,9 +222,9 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
         waiting.y[waiting.count] = asked.y0[lane] + n.y;
         waiting.z[waiting.count] = asked.z0[lane] + n.z;
         waiting.labels[waiting.count] = asked.labels[lane];
-        if (++waiting.count == MOST_WAITING) change_waiting(&cloud, &waiting, use_confidence, only_new);
+        if (++waiting.count == MOST_WAITING) change_waiting(&cloud, &waiting, use_confidence);
       }
     }
   }
-  change_waiting(&cloud, &waiting, use_confidence, only_new);
+  change_waiting(&cloud, &waiting, use_confidence);
 }

@@ -66,6 +66,27 @@ TEST_F(ObjectsInViewTest, RectangleIsSmaller_WhenColorDoesNotShowAllOfTheObject)
   EXPECT_NEAR(objects.front().box.width, 0.3F, 1e-6F);
 }
 
+TEST(ObjectsInView, RectangleLeavesOutStrayPixels_AndHoldsPartsBehindAnOccluder) {
+  constexpr Intrinsics kWide{60, 60, 39.5F, 29.5F, 80, 60};
+  RenderedView view;
+  view.K = kWide;
+  view.regions.assign(static_cast<std::size_t>(kWide.pixels()), kTableTop);
+  const auto fill = [&](const cv::Rect& pixels, RegionId region) {
+    for (int v = pixels.y; v < pixels.br().y; ++v)
+      for (int u = pixels.x; u < pixels.br().x; ++u) view.regions[kWide.indexOf(u, v)] = region;
+  };
+  fill({20, 20, 20, 20}, kBody);
+  fill({26, 20, 4, 20}, kTableTop);  // an occluder
+  fill({70, 5, 2, 1}, kBody);        // two of 322 pixels
+  const std::vector<SeenObject> objects =
+      objectsInView(view, locateInColor(std::nullopt, view), objectOf, 10);
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_NEAR(objects.front().box.x, 20 / 80.0F, 1e-6F);
+  EXPECT_NEAR(objects.front().box.y, 20 / 60.0F, 1e-6F);
+  EXPECT_NEAR(objects.front().box.width, 20 / 80.0F, 1e-6F);
+  EXPECT_NEAR(objects.front().box.height, 20 / 60.0F, 1e-6F);
+}
+
 TEST_F(ObjectsInViewTest, NothingIsInView_WhenNoRegionIsAnObject) {
   EXPECT_TRUE(objectsInView(
                   view_, in_color_, [](RegionId) { return ObjectId{}; }, 1)

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/session/operation_json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
@@ -387,14 +386,6 @@ TEST(SessionStore, PagesAppear_WithTheirSave) {
   ASSERT_TRUE((*store)->save({}));
   EXPECT_EQ((*store)->load()->pages.size(), 2U);
   EXPECT_EQ(*(*store)->loadPage({2, -2, 5}), somePage(2).words);
-}
-
-TEST(OperationJson, IsRefused_WhenInvalid) {
-  EXPECT_FALSE(operationFromJson("{"));
-  EXPECT_FALSE(operationFromJson("[]"));
-  EXPECT_FALSE(operationFromJson(R"({"kind": "explode", "regions": []})"));
-  EXPECT_FALSE(operationFromJson(R"({"kind": "join", "regions": "all"})"));
-  EXPECT_FALSE(effectFromJson(R"({"moves": [[1]], "said": [], "notes": []})"));
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+#include "core/session/operation_json.h"
+
+#include <gtest/gtest.h>
+
+namespace scantrove {
+namespace {
+
+TEST(OperationJson, IsRefused_WhenInvalid) {
+  EXPECT_FALSE(operationFromJson("{"));
+  EXPECT_FALSE(operationFromJson("[]"));
+  EXPECT_FALSE(operationFromJson(R"({"kind": "explode", "regions": []})"));
+  EXPECT_FALSE(operationFromJson(R"({"kind": "join", "regions": "all"})"));
+  EXPECT_FALSE(effectFromJson(R"({"moves": [[1]], "said": [], "notes": []})"));
+}
+
+}  // namespace
+}  // namespace scantrove
