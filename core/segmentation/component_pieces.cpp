@@ -22,6 +22,7 @@ constexpr int kMinContinuous = 3;        // pixels of a border
 constexpr float kClearFold = 0.002F;     // of the depth, over kBend_px
 constexpr float kSameColor = 2.5F;       // Lab: less is one material, also across a fold
 constexpr float kSimilarColor = 5;       // Lab: less across a border is one colour
+constexpr float kRoundColor = 20;        // Lab: more is another object, however round the two are together
 constexpr float kOtherColor = 1000;
 constexpr float kLow_m = 0.03F;     // higher things are not one with a flat part: a vase on a cloth
 constexpr double kOpenPart = 0.5;   // of a flat part's outline that borders on no raised part
@@ -245,7 +246,8 @@ class Divider {
           border.continuous >= std::max<double>(kMinContinuous, kContinuousPart * border.length);
       const float color = border.colorStep();
       const bool is_even =
-          border.fold() <= kClearFold && (color < kSimilarColor || isRound(pair.first, pair.second));
+          border.fold() <= kClearFold &&
+          (color < kSimilarColor || (color < kRoundColor && isRound(pair.first, pair.second)));
       const bool is_one = isFlat(pair.first) != isFlat(pair.second)
                               ? color < kSimilarColor && heightOf(std::min(pair.first, pair.second)) < kLow_m
                               : (continues && border.fold() <= 0) || is_even || color < kSameColor;

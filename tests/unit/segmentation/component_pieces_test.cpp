@@ -92,6 +92,19 @@ TEST(DivideComponent, DepthStepDividesBoxes_WhenTheirOutlineHasADent) {
   EXPECT_EQ(pieces.piece(10, 50), 0) << "outside the component";
 }
 
+// Books of a row: each is as high as the next, and the row is as convex as one box.
+TEST(DivideComponent, BoxesInARowAreTwoPieces_WhenTheirColorsAreFarApart) {
+  TwoBoxes row;
+  constexpr float kGroove = 0.0005F;  // metres a pixel: noise hides the fold
+  for (int v = 0; v < kPiecesHeight; ++v) {
+    for (int u = 0; u < kPiecesWidth; ++u)
+      row.component.z_m(v, u) = 1 - kGroove * std::abs(static_cast<float>(u) + 0.5F - kPiecesBorder);
+  }
+  expectTwoPieces(row.paintRight().divide());
+  row.component.lab(kRightPiece).setTo(cv::Scalar(60, 12, 18));  // in other light
+  expectOnePiece(row.divide());
+}
+
 /// A raised left part; the right part lies flat on the support, a part of the support's segment 3.
 TwoBoxes boxAndSheet() {
   TwoBoxes boxes;
