@@ -74,8 +74,8 @@ class SegmentShares {
   std::vector<std::vector<Share>> shares_;  // of each fragment, by segment
 };
 
-/// True if one of the two is a support and the other lies on it; false if both lie in one segment that is, or
-/// lies on, a support; none if the frame's supports say nothing.
+/// True if one of the two is a support, or a cloth on one, and carries the other; false if both lie in one
+/// segment that is, or lies on, a support; none if the frame's supports say nothing.
 std::optional<bool> areOutlined(const SegmentMap& segments, const SegmentShares& shares,
                                 const FragmentContact& contact) {
   using Kind = SegmentRole::Kind;

@@ -24,7 +24,7 @@ void SupportRecorder::record(const SegmentMap& segments, const RenderedView& vie
       const SegmentRole::Kind role = segments.roleOf(segments.ids[at]).kind;
       pixels.seen += weight;
       pixels.support += role == SegmentRole::Kind::support ? weight : 0;
-      pixels.carried += role == SegmentRole::Kind::carried ? weight : 0;
+      pixels.carried += role == SegmentRole::Kind::carried || role == SegmentRole::Kind::carrier ? weight : 0;
     }
   }
   for (const FragmentId fragment : in_view_)

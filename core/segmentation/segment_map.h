@@ -10,6 +10,7 @@ struct SegmentRole {
     free,     ///< nothing is known
     support,  ///< it is the support
     carried,  ///< it lies or stands on the support
+    carrier,  ///< it lies on the support and carries others: a cloth
   };
   Kind kind = Kind::free;
   std::uint8_t support = 0;  ///< number of the support in the frame

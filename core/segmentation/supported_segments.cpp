@@ -16,6 +16,11 @@ namespace {
 // Areas are of images of 640 x 480.
 constexpr double kMinPiece_px = 200;   // of a component of several objects
 constexpr int kSmallSegment_px = 600;  // smaller segments in a support are holes' rims
+constexpr double kMinCarried_px = 60;  // raised pixels of what carries something
+
+/// Seen area from which a flat part that carries something is a cloth or a tray, with objects of their own.
+/// Smaller ones are objects themselves: a sheet under a cup.
+constexpr double kMinCarrier_m2 = 0.06;
 
 /// Numbers of new segments. 0: the pixel keeps its segment.
 class NewSegments {
@@ -75,20 +80,58 @@ class SupportSegmenter {
   [[nodiscard]] float depthAt(int u, int v) const { return segments_.depths_m[K_.indexOf(u, v)]; }
 
   void segmentOn(const Support& support, std::span<const Support> supports) {
+    ++support_number_;
+    segmentArea(support, supports, SegmentRole::Kind::support);
+  }
+
+  /// `kind`: of the area's own segment.
+  void segmentArea(const Support& support, std::span<const Support> supports, SegmentRole::Kind kind) {
     const SupportImages images = SupportImages::of(support, segments_, lab_, K_);
     const auto [labels, components] = findComponents(images, otherSupports(support, supports), K_);
-    ++support_number_;
-    const int rest = new_.add({SegmentRole::Kind::support, support_number_});
-    cv::Mat1b keeps(images.area.size(), 0);  // segments by depth that stay
+    const int rest = new_.add({kind, support_number_});
+    cv::Mat1b keeps(images.area.size(), 0);  // the pixels are not of the area's own segment
     for (const Component& component : components) {
       if (component.isRaised() && component.isComplete()) {
         keeps.setTo(255, labels == component.label);
         complete(component, labels, images, support.surface);
+      } else if (kind == SegmentRole::Kind::support && isCarrier(component, images, support.surface)) {
+        keeps.setTo(255, labels == component.label);
+        segmentArea(carrierOf(component, labels, images, support.surface), supports,
+                    SegmentRole::Kind::carrier);
       } else {
         add(component, labels, images, support.surface);
       }
     }
     fillRest(support, images, keeps, rest);
+  }
+
+  [[nodiscard]] bool isCarrier(const Component& component, const SupportImages& images,
+                               const InverseDepthSurface& surface) const {
+    if (component.isRaised() || component.raised_px < kMinCarried_px * K_.pixelScale()) return false;
+    const cv::Point middle = images.box.tl() + (component.box.tl() + component.box.br()) / 2;
+    const double z_m = surface.depthAt((static_cast<float>(middle.x) - K_.cx) / K_.fx,
+                                       (static_cast<float>(middle.y) - K_.cy) / K_.fy, 0);
+    return component.area_px * z_m * z_m / (double{K_.fx} * K_.fy) >= kMinCarrier_m2;
+  }
+
+  /// The component as a support. Its segment by depth is the one of most of its flat pixels.
+  [[nodiscard]] Support carrierOf(const Component& component, const cv::Mat1i& labels,
+                                  const SupportImages& images, const InverseDepthSurface& surface) const {
+    Support carrier{surface, 0, {cv::Size(segments_.width, segments_.height), 0}, {}};
+    carrier.box = component.box + images.box.tl();
+    std::map<std::uint32_t, int> flat_px;
+    for (int v = 0; v < component.box.height; ++v) {
+      for (int u = 0; u < component.box.width; ++u) {
+        const cv::Point in_support = component.box.tl() + cv::Point(u, v), p = images.box.tl() + in_support;
+        if (labels(in_support) != component.label) continue;
+        carrier.area(p) = 255;
+        if (images.flat(in_support) != 0) ++flat_px[segments_.ids[K_.indexOf(p.x, p.y)]];
+      }
+    }
+    if (!flat_px.empty())
+      carrier.segment =
+          std::ranges::max_element(flat_px, {}, &std::pair<const std::uint32_t, int>::second)->first;
+    return carrier;
   }
 
   /// 255 on the segments of other supports, in this one's box: a chair's seat above the floor.

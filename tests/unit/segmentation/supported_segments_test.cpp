@@ -122,6 +122,38 @@ TEST(SegmentOnSupports, FlatSheetIsOneCarriedSegment_WhenItsColorDiffers) {
   EXPECT_EQ(std::ranges::count(map.is_estimated, 1), 0) << "all pixels are measured";
 }
 
+// A cloth differs from the table; what lies on it differs from the cloth, not always from the table.
+TEST(SegmentOnSupports, ThingsOnAClothAreSegmentsOfTheirOwn) {
+  TableFrame frame;
+  const cv::Rect cloth(30, 40, 230, 150), paper(160, 60, 40, 30);
+  frame.forEach(cloth, [&](std::size_t pixel) {
+    if (frame.segments.ids[pixel] != TableFrame::kBox) frame.lab[pixel] = kThingColor;
+  });
+  frame.paint(paper, kTableColor);
+  const SegmentMap map = frame.segmented();
+  const std::uint32_t of_cloth = segmentAt(map, cloth.x + 5, cloth.y + 5), of_paper = segmentIn(map, paper);
+  EXPECT_EQ(map.roleOf(of_cloth).kind, RoleKind::carrier);
+  EXPECT_EQ(map.roleOf(tableSegment(map)).kind, RoleKind::support);
+  EXPECT_EQ(map.roleOf(of_cloth).support, map.roleOf(tableSegment(map)).support);
+  expectOneSegment(map, pixelsOfRectangle(frame, paper));
+  EXPECT_EQ(map.roleOf(of_paper).kind, RoleKind::carried);
+  EXPECT_EQ(map.areas[of_cloth],
+            cloth.area() - paper.area() -
+                static_cast<int>(pixelsOfSegment(frame.segments, TableFrame::kBox).size()));
+}
+
+TEST(SegmentOnSupports, SheetUnderABoxIsOneSegment) {
+  TableFrame frame;
+  const cv::Rect sheet(70, 70, 90, 90), picture(130, 80, 20, 20);
+  frame.forEach(sheet, [&](std::size_t pixel) {
+    if (frame.segments.ids[pixel] != TableFrame::kBox) frame.lab[pixel] = kThingColor;
+  });
+  frame.paint(picture, kTableColor);
+  const SegmentMap map = frame.segmented();
+  EXPECT_EQ(segmentIn(map, picture), segmentAt(map, sheet.br().x - 3, sheet.br().y - 3));
+  EXPECT_EQ(map.roleOf(segmentIn(map, picture)).kind, RoleKind::carried);
+}
+
 TEST(SegmentOnSupports, HoleInDepthIsACarriedSegment_WhenItsColorDiffers) {
   TableFrame frame;
   frame.paint(kHole, kThingColor).removeDepth(kHole);
