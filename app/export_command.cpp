@@ -17,7 +17,7 @@ namespace {
 
 struct ExportCommand {
   std::string folder, database, out, format, device;
-  bool all_frames = false, background = false, centered = false;
+  bool all_frames = false, background = false, include_unfit = false, centered = false;
 };
 
 /// Prints progress on stderr in steps of ten percent. Ctrl+C cancels the export.
@@ -63,12 +63,16 @@ Result<void> exportSession(const ExportCommand& command) {
   SessionScan scan(**session);
   ExportProgressPrinter printer;
   const auto exportScan = command.centered ? exportCenteredMesh : exportDataset;
-  const auto summary = exportScan(scan, {*format, command.out, command.all_frames, command.background},
-                                  std::ref(printer), printer.token());
+  const ExportOptions options{*format, command.out, command.all_frames, command.background,
+                              command.include_unfit};
+  const auto summary = exportScan(scan, options, std::ref(printer), printer.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
     std::cerr << "scantrove: " << inLine((*session)->missingCatalogue()->message()) << '\n';
   for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '\n';
+  if (summary->unfit > 0)
+    std::cerr << "scantrove: " << summary->unfit
+              << " unfit frames were left out; --include-unfit-frames exports them.\n";
   std::cout << command.format << "     " << summary->images << " images, " << summary->regions << " regions, "
             << summary->annotations << " annotations";
   if (summary->points > 0) std::cout << ", " << summary->points << " points";
@@ -95,6 +99,8 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
       ->type_name("DIR2");
   sub->add_flag("--all-frames", command->all_frames, "export all stored frames, not only key frames");
   sub->add_flag("--background", command->background, "include background and rejected regions");
+  sub->add_flag("--include-unfit-frames,--include-blurred", command->include_unfit,
+                "include frames that are blurred, or whose depth and colour do not fit");
   sub->add_flag("--centred,--centered", command->centered,
                 "with --format mesh: centre each object at the origin and write the offset to a file");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
@@ -104,9 +110,11 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
     if (is_catalogue != command->folder.empty()) {
       throw CLI::ValidationError("DIR", "is a session, --database a catalogue. Give one of them");
     }
-    if (is_catalogue && (!command->format.empty() || command->all_frames || command->background)) {
-      throw CLI::ValidationError("--database",
-                                 "cannot be combined with --format, --all-frames or --background");
+    if (is_catalogue &&
+        (!command->format.empty() || command->all_frames || command->background || command->include_unfit)) {
+      throw CLI::ValidationError(
+          "--database",
+          "cannot be combined with --format, --all-frames, --background or --include-unfit-frames");
     }
     if (command->centered && command->format != "mesh")
       throw CLI::ValidationError("--centred", "needs --format mesh");

@@ -29,6 +29,7 @@ struct ExportOptions {
   std::filesystem::path folder;  ///< to be created; an empty one may exist
   bool all_frames = false;       ///< every stored frame, not only key frames
   bool background = false;       ///< include regions that are background or rejected
+  bool include_unfit = false;    ///< include frames that are blurred, or whose depth and colour do not fit
 };
 
 /// The progress of an export: `done` of `total` steps, and the next one ("frame 120").
@@ -46,12 +47,13 @@ struct ExportSummary {
   int annotations = 0;  ///< one for each region in an image
   std::uint64_t points = 0, faces = 0;
   std::uint64_t bytes = 0;
-  std::vector<std::string> skipped;  ///< a sentence for each unusable key frame
+  std::vector<std::string> skipped;  ///< a sentence for each key frame that was left out
+  int unfit = 0;                     ///< of those: blurred, or depth and colour do not fit (FrameFitness)
 };
 
-/// The expected result of an export, without computing masks.
+/// The expected result of an export, without computing masks or reading images.
 struct ExportPreview {
-  int images = 0;
+  int images = 0;  ///< including unfit ones
   int regions = 0;
   double megabytes = 0;  ///< estimated; copied images count with their size
 };
@@ -60,8 +62,8 @@ struct ExportPreview {
 [[nodiscard]] Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& options);
 
 /// Writes `scan` to `options.folder` atomically: into `FOLDER.part-XXXXXX` beside it, which is renamed when
-/// all files are complete. An unreadable key frame is skipped and named in the summary. `progress` is
-/// called on this thread, and `cancel` checked, before each step. Error: a folder that is not empty;
+/// all files are complete. An unreadable or unfit key frame is skipped and named in the summary. `progress`
+/// is called on this thread, and `cancel` checked, before each step. Error: a folder that is not empty;
 /// nothing to export; every key frame unusable; the scan's map unreadable; a full or read-only disk (names
 /// the path and the remedy); cancelled. Nothing is left behind then.
 [[nodiscard]] Result<ExportSummary> exportDataset(LabeledScan& scan, const ExportOptions& options,

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ class ExportJob {
   [[nodiscard]] const std::vector<LabeledRegion>& allRegions() const { return all_; }
   [[nodiscard]] const std::vector<LabeledRegion>& chosen() const { return chosen_; }
   [[nodiscard]] ExportSummary& summary() { return summary_; }
+  /// The key frames to export; none: not chosen yet (framesToExport).
+  [[nodiscard]] std::optional<std::vector<KeyFrameInfo>>& frames() { return frames_; }
 
   /// Reports the progress. Error: it was cancelled.
   [[nodiscard]] Result<void> step(int done, int total, const std::string& what) const;
@@ -57,6 +60,7 @@ class ExportJob {
   const ExportProgressCallback& progress_;
   const std::stop_token& cancel_;
   std::vector<LabeledRegion> all_, chosen_;
+  std::optional<std::vector<KeyFrameInfo>> frames_;
   std::map<std::filesystem::path, std::uintmax_t> written_;  // bytes, by name
   ExportSummary summary_;
 };

@@ -65,12 +65,10 @@ class YoloSegments {
       : job_(job), classes_(classesOf(job.chosen())), instances_(instancesOf(job.chosen())) {}
 
   Result<void> chooseValidation() {
-    const auto frames = job_.scan().keyFrames(job_.options().all_frames);
+    const auto frames = framesToExport(job_, true);
     if (!frames) return fail(frames.error());
     std::vector<int> usable;
-    for (const KeyFrameInfo& frame : *frames) {
-      if (!frame.color_file.empty()) usable.push_back(frame.index);
-    }
+    for (const KeyFrameInfo& frame : *frames) usable.push_back(frame.index);
     const auto training =
         usable.size() < kMinForValidation ? usable.size() : usable.size() - usable.size() / 5;
     training_.insert(usable.begin(), usable.begin() + static_cast<std::ptrdiff_t>(training));

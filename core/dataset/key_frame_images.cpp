@@ -3,11 +3,13 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <map>
 #include <opencv2/core.hpp>
 #include <set>
 #include <utility>
 
 #include "core/base/regular_file.h"
+#include "core/dataset/frame_fitness.h"
 #include "core/dataset/region_masks.h"
 #include "core/dataset/registered_depth.h"
 #include "core/image/color_bytes.h"
@@ -49,6 +51,23 @@ void keepOnly(cv::Mat& regions, const std::unordered_set<int>& kept) {
       if (!is_kept) row[x] = 0;
     }
   }
+}
+
+/// Why frames are unfit, by their index. Error: cancelled.
+Result<std::map<int, std::string>> findUnfit(ExportJob& job, const std::vector<KeyFrameInfo>& frames) {
+  FrameFitness fitness;
+  int done = 0;
+  for (const KeyFrameInfo& frame : frames) {
+    const std::string what = "checking frame " + std::to_string(frame.index);
+    SCANTROVE_TRY(job.step(done++, 2 * static_cast<int>(frames.size()), what));
+    if (frame.color_file.empty()) continue;
+    const auto depth = job.scan().depth(frame.index);
+    const auto color = job.scan().color(frame.index);
+    const bool is_usable = depth && color && checkSize(*depth, frame.K_depth, frame, "depth") &&
+                           checkSize(*color, frame.K_color, frame, "colour");
+    if (is_usable) fitness.add(frame, *depth, *color);  // the export itself reports unusable frames
+  }
+  return fitness.unfit();
 }
 
 }  // namespace
@@ -94,21 +113,43 @@ std::unordered_set<int> idsOf(const std::vector<LabeledRegion>& regions) {
   return ids;
 }
 
-Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabeledImage& use) {
-  LabeledScan& scan = job.scan();
-  const auto frames = scan.keyFrames(job.options().all_frames);
+Result<std::vector<KeyFrameInfo>> framesToExport(ExportJob& job, bool needs_color) {
+  if (job.frames()) return *job.frames();
+  auto frames = job.scan().keyFrames(job.options().all_frames);
   if (!frames) return fail(frames.error());
   if (frames->empty())
-    return fail("The scan " + scan.name() + " has no key frames: there are no images to export.");
+    return fail("The scan " + job.scan().name() + " has no key frames: there are no images to export.");
+  std::vector<std::string>& skipped = job.summary().skipped;
+  std::erase_if(*frames, [&](const KeyFrameInfo& frame) {
+    const bool is_without = needs_color && frame.color_file.empty();
+    if (is_without) skipped.push_back(nameOf(frame) + " has no colour image.");
+    return is_without;
+  });
+  if (!job.options().include_unfit) {
+    const auto unfit = findUnfit(job, *frames);
+    if (!unfit) return fail(unfit.error());
+    std::erase_if(*frames, [&](const KeyFrameInfo& frame) {
+      const auto reason = unfit->find(frame.index);
+      if (reason == unfit->end()) return false;
+      skipped.push_back(nameOf(frame) + " was left out: " + reason->second + ".");
+      ++job.summary().unfit;
+      return true;
+    });
+  }
+  job.frames() = *frames;
+  return *frames;
+}
+
+Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabeledImage& use) {
+  LabeledScan& scan = job.scan();
+  const auto frames = framesToExport(job, needs_color);
+  if (!frames) return fail(frames.error());
   const std::unordered_set<int> kept = idsOf(job.chosen());
-  int done = 0;
   const auto total = static_cast<int>(frames->size());
+  const int checked = job.options().include_unfit ? 0 : total;  // steps of findUnfit()
+  int done = 0;
   for (const KeyFrameInfo& frame : *frames) {
-    SCANTROVE_TRY(job.step(done++, total, "frame " + std::to_string(frame.index)));
-    if (needs_color && frame.color_file.empty()) {
-      job.summary().skipped.push_back(nameOf(frame) + " has no colour image.");
-      continue;
-    }
+    SCANTROVE_TRY(job.step(checked + done++, checked + total, "frame " + std::to_string(frame.index)));
     auto read = readKeyFrameImage(scan, frame);
     if (!read) {
       job.summary().skipped.push_back(nameOf(frame) + " was left out: " + read.error().what);
@@ -119,8 +160,10 @@ Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabe
     ++job.summary().images;
   }
   if (job.summary().images > 0) return {};
+  std::string advice = needs_color ? "Without colour, export masks, ply or mesh." : "";
+  if (job.summary().unfit > 0) advice = "Export unfit frames, too: --include-unfit-frames.";
   return fail("No key frame of the scan " + scan.name() + " can be used. " + job.summary().skipped.front(),
-              needs_color ? "Without colour, export masks, ply or mesh." : "");
+              std::move(advice));
 }
 
 std::vector<std::uint32_t> visibleRegions(const cv::Mat& regions) {

@@ -38,12 +38,17 @@ struct KeyFrameImage {
                                       const std::unordered_set<int>& kept);
 [[nodiscard]] std::unordered_set<int> idsOf(const std::vector<LabeledRegion>& regions);
 
+/// The key frames of the export, chosen at the first call: those with colour if `needs_color`, and unless the
+/// options include them, without frames that are unfit (FrameFitness). The others are named in the summary.
+/// Error: the scan has no key frames; cancelled.
+[[nodiscard]] Result<std::vector<KeyFrameInfo>> framesToExport(ExportJob& job, bool needs_color);
+
 /// Processes one frame for a format.
 using UseLabeledImage = std::function<Result<void>(const LabeledImage&)>;
 
-/// Passes every key frame with its labels to `use`, counts them, and reports the progress. Unreadable
-/// frames are skipped and named in the summary, as are those without colour if `needs_color`. Error: no
-/// frame was usable (with the first reason); an error of `use`; the map; cancelled.
+/// Passes every frame of framesToExport() with its labels to `use`, counts them, and reports the progress.
+/// Unreadable frames are skipped and named in the summary. Error: no frame was usable (with the first
+/// reason); an error of `use`; the map; cancelled.
 [[nodiscard]] Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabeledImage& use);
 
 /// Visible regions of `image`, by id.

@@ -1,7 +1,6 @@
 #include "core/dataset/region_masks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/dataset/color_outlines.h"
 
 namespace scantrove {
 namespace {
@@ -27,14 +27,11 @@ constexpr float kOutlineError_m = 0.02F;
 constexpr int kMaxOutlineError_px = 16;
 /// The map's resolution along an outline.
 constexpr float kMapDetail_m = 0.006F;
-constexpr int kMaxBand_px = 6;
+constexpr int kMaxDetail_px = 6;
 /// Maximum distance of the readings on both sides of an edge.
 constexpr int kMixedReach_px = 3;
 /// Pieces of fewer pixels, or smaller than the squared resolution of the map, are noise.
 constexpr int kMinComponent_px = 8;
-constexpr float kSameColor = 20;   ///< of 255, standard deviation
-constexpr float kBandVote = 0.3F;  ///< of a pixel that may be wrong itself
-constexpr float kClearMajority = 1.2F;
 
 struct Offset {
   int x, y;
@@ -152,79 +149,12 @@ class OutlineRefiner {
     return z > 0 ? z : map_.depth_m.at<float>(y, x);
   }
 
-  /// CV_8UC1, 255 within the band along the outlines.
-  [[nodiscard]] cv::Mat outlineBand() const {
-    cv::Mat outline = cv::Mat::zeros(regions_.size(), CV_8UC1);
-    std::array<std::vector<cv::Point>, kMaxBand_px + 1> by_radius;
-    for (int y = 0; y < regions_.rows; ++y) {
-      for (int x = 0; x < regions_.cols; ++x) {
-        const int region = regions_.at<int>(y, x);
-        const bool is_outline = (x + 1 < regions_.cols && regions_.at<int>(y, x + 1) != region) ||
-                                (y + 1 < regions_.rows && regions_.at<int>(y + 1, x) != region);
-        if (!is_outline) continue;
-        const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMaxBand_px);
-        by_radius[static_cast<std::size_t>(radius)].emplace_back(x, y);
-      }
-    }
-    for (std::size_t radius = 1; radius < by_radius.size(); ++radius) {
-      for (const cv::Point& point : by_radius[radius]) {
-        const int r = static_cast<int>(radius);
-        const cv::Rect box = cv::Rect(point.x - r + 1, point.y - r + 1, 2 * r, 2 * r) &
-                             cv::Rect(0, 0, outline.cols, outline.rows);
-        outline(box).setTo(255);
-      }
-    }
-    return outline;
-  }
-
   void alignToColor() {
     if (color_.empty()) return;
-    const cv::Mat band = outlineBand();
-    const cv::Mat before = regions_.clone();
-    for (int y = 0; y < regions_.rows; ++y) {
-      for (int x = 0; x < regions_.cols; ++x) {
-        if (band.at<std::uint8_t>(y, x) != 0) regions_.at<int>(y, x) = elect(before, band, x, y);
-      }
-    }
-  }
-
-  /// The region with most votes of similar pixels around the pixel.
-  [[nodiscard]] int elect(const cv::Mat& before, const cv::Mat& band, int x, int y) const {
-    struct Party {
-      int region;
-      float votes;
-    };
-    std::vector<Party> parties{{before.at<int>(y, x), 0}};
-    const auto vote = [&](int region, float weight) {
-      for (Party& party : parties) {
-        if (party.region != region) continue;
-        party.votes += weight;
-        return;
-      }
-      parties.push_back({region, weight});
-    };
-    const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMaxBand_px) + 1;
-    const float z = depth_m_.at<float>(y, x);
-    const cv::Vec3b color = color_.at<cv::Vec3b>(y, x);
-    for (const Offset& offset : search_) {
-      if (offset.distance > static_cast<float>(radius)) break;
-      const int u = x + offset.x, v = y + offset.y;
-      if (!isInside(u, v)) continue;
-      const float other_z = depth_m_.at<float>(v, u);
-      if (z > 0 && other_z > 0 &&
-          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoisePerMeter * z * z) {
-        continue;
-      }
-      const cv::Vec3b& other = color_.at<cv::Vec3b>(v, u);
-      const float difference = static_cast<float>(cv::norm(cv::Vec3f(other) - cv::Vec3f(color))) / kSameColor;
-      const float nearness = offset.distance / static_cast<float>(radius);
-      const float weight = std::exp(-0.5F * difference * difference - 2 * nearness * nearness);
-      vote(before.at<int>(v, u), band.at<std::uint8_t>(v, u) != 0 ? kBandVote * weight : weight);
-    }
-    const auto winner = std::max_element(parties.begin(), parties.end(),
-                                         [](const Party& a, const Party& b) { return a.votes < b.votes; });
-    return winner->votes > kClearMajority * (parties.front().votes + kBandVote) ? winner->region
-                                                                                : parties.front().region;
+    const cv::Mat unmeasured = depth_m_ <= 0;
+    cv::Mat z_m = depth_m_.clone();
+    map_.depth_m.copyTo(z_m, unmeasured);
+    regions_ = followColorEdges(regions_, {color_, z_m, unmeasured, focal_px_});
   }
 
   /// Small pieces take the region around most of them.
@@ -235,7 +165,7 @@ class OutlineRefiner {
       for (int x = 0; x < regions_.cols; ++x) {
         if (visited.at<std::uint8_t>(y, x) != 0) continue;
         const int around = collectPiece({x, y}, visited, piece);
-        const int detail = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMaxBand_px);
+        const int detail = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMaxDetail_px);
         if (static_cast<int>(piece.size()) >= std::max(kMinComponent_px, detail * detail)) continue;
         for (const cv::Point& p : piece) regions_.at<int>(p) = around;
       }

@@ -17,8 +17,7 @@ struct MeasuredView {
 /// each pixel's measured depth is compared with the map's. If they differ by more than their noise, the pixel
 /// takes the region of the nearest pixel where the map has that depth. It takes none if there is no such
 /// pixel: something outside the map hides the region. A mixture of two depths at an edge counts as no
-/// reading. Second, pixels near an outline take the region of neighbours of similar depth and colour, in a
-/// band as wide as the map's resolution. A pixel without a reading uses colour alone. Third, small components
+/// reading. Second, outlines move to edges of the colour image (followColorEdges). Third, small components
 /// take the region around them. `focal_px`: pixels per metre at one metre distance.
 [[nodiscard]] cv::Mat refineRegions(const ViewOfMap& map, const MeasuredView& measured, float focal_px);
 

@@ -86,13 +86,16 @@ Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
   return list;
 }
 
-Result<RgbdFrame> SessionScan::read(int index) const {
+Result<RgbdFrame> SessionScan::read(int index) {
+  if (last_read_ && last_read_->first == index) return last_read_->second;
   const auto found = std::ranges::find(stored_, index, &StoredFrame::index);
   if (found == stored_.end())
     return fail(
         "No images of frame " + std::to_string(index) + " were kept in " + session_.folder().string() + ".",
         "");
-  return readKeyFrame(session_.folder(), *found->images, *found->frame);
+  Result<RgbdFrame> frame = readKeyFrame(session_.folder(), *found->images, *found->frame);
+  if (frame) last_read_.emplace(index, *frame);
+  return frame;
 }
 
 Result<cv::Mat> SessionScan::color(int index) {

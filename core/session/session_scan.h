@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/capture/rgbd_frame.h"
@@ -32,11 +34,13 @@ class SessionScan final : public LabeledScan {
     const SavedKeyFrame* images;
     const SavedFrame* frame;
   };
-  [[nodiscard]] Result<RgbdFrame> read(int index) const;
+  [[nodiscard]] Result<RgbdFrame> read(int index);
   [[nodiscard]] std::uint32_t regionOf(std::uint32_t fragment) const;
 
   OpenSession& session_;
   std::vector<StoredFrame> stored_;  // with a pose, in order
+  std::optional<std::pair<int, RgbdFrame>>
+      last_read_;  // by its external number: colour and depth are requested apart
 };
 
 }  // namespace scantrove

@@ -68,6 +68,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
       folder_(new QLineEdit),
       all_frames_(new QCheckBox(tr("All &stored frames, not only key frames"))),
       background_(new QCheckBox(tr("Include &background and rejected regions"))),
+      include_unfit_(new QCheckBox(tr("Include &unfit frames"))),
       sample_(new ExportSampleView),
       message_(new QLabel),
       bar_(new QProgressBar),
@@ -85,6 +86,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   folder_->setAccessibleName(tr("Folder"));
   message_->setWordWrap(true);
   message_->setObjectName(QStringLiteral("exportMessage"));
+  include_unfit_->setToolTip(tr("Frames that are blurred, or whose depth and colour do not fit"));
   bar_->setVisible(false);
   show_folder_->setVisible(false);
   export_->setDefault(true);
@@ -100,6 +102,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   form->addRow(tr("Save to"), folder_row);
   form->addRow(QString(), all_frames_);
   form->addRow(QString(), background_);
+  form->addRow(QString(), include_unfit_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(show_folder_);
   buttons->addStretch(1);
@@ -161,6 +164,7 @@ ExportOptions ExportDialog::options() const {
   options.folder = folder_->text().toStdString();
   options.all_frames = all_frames_->isChecked();
   options.background = background_->isChecked();
+  options.include_unfit = include_unfit_->isChecked();
   return options;
 }
 
@@ -254,8 +258,8 @@ void ExportDialog::setWorking(bool working) {
   is_working_ = working;
   bar_->setVisible(working);
   bar_->setMaximum(0);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{format_, folder_, all_frames_, background_, sample_, export_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{format_, folder_, all_frames_, background_,
+                                                         include_unfit_, sample_, export_})
     widget->setEnabled(!working);
   cancel_->setText(working ? tr("Cancel") : tr("Close"));
   show_folder_->setVisible(false);

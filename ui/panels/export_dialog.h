@@ -59,6 +59,7 @@ class ExportDialog : public QDialog {
   QLineEdit* folder_;
   QCheckBox* all_frames_;
   QCheckBox* background_;
+  QCheckBox* include_unfit_;
   ExportSampleView* sample_;
   QLabel* message_;
   QProgressBar* bar_;

@@ -44,7 +44,7 @@ TEST(RefineRegions, FollowsMeasuredDepthAndColor) {
       const std::string key = std::to_string(frame) + "_" + std::to_string(id);
       RecordProperty("map_" + key, std::to_string(iou(refined.before(id), exact)));
       RecordProperty("refined_" + key, std::to_string(iou(refined.of(id), exact)));
-      EXPECT_GE(iou(refined.of(id), exact), id == kBlock ? 0.95 : 0.97) << id << " in frame " << frame;
+      EXPECT_GE(iou(refined.of(id), exact), id == kBlock ? 0.97 : 0.985) << id << " in frame " << frame;
       EXPECT_GE(iou(refined.of(id), exact), iou(refined.before(id), exact)) << "not worse than the map alone";
     }
   }
