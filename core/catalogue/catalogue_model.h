@@ -52,6 +52,12 @@ class CatalogueModel {
   /// Whether the program may merge two visible objects: not if users settled both, or a user undid that
   /// merge.
   [[nodiscard]] bool mayMerge(ObjectId a, ObjectId b) const;
+  /// Whether the program may remove views of the object that it stored: not if a user settled it, and not if
+  /// it is hidden.
+  [[nodiscard]] bool mayDiscardViews(ObjectId id) const {
+    const ObjectState* object = visible(id);
+    return object != nullptr && !isSettled(*object);
+  }
 
   // Operations.
 

@@ -70,7 +70,8 @@ class CatalogueWriter {
   /// Removes an object that was made for an undone operation (see ObjectDatabase::withdraw).
   void withdraw(ObjectId object);
   /// Removes views of the object that this scan cropped from those frames, because they show something else
-  /// (ObjectDatabase::discardViews()). Does nothing if a user has settled the object by then.
+  /// or better ones replace them (ObjectDatabase::discardViews()). Does nothing if a user has settled the
+  /// object by then.
   void discardViews(ObjectId object, std::vector<int> frames);
   /// Requests the changes by others.
   void requestChanges();

@@ -197,14 +197,19 @@ Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
     SCANTROVE_TRY(rows.read(object));
     if (const Result<ObjectState> known = rows.model().known(object); !known) return fail(known.error());
     const ObjectId root = rows.model().mergeRoot(object);
-    if (!root || isSettled(*rows.model().find(root))) return false;
+    if (!rows.model().mayDiscardViews(root)) return false;
     QVariantList views;
     for (const int frame : frames) {
       Result<QSqlQuery> view = connection_->execute(
-          "SELECT id FROM views WHERE object = ? AND first_object = ? AND session = ? AND frame_index = ?",
+          "SELECT id FROM views WHERE object = ? AND first_object = ? AND session = ? AND frame_index = ?"
+          " ORDER BY id",
           {root.value, object.value, static_cast<qlonglong>(session), frame});
       if (!view) return fail(view.error());
-      while (view->next()) views.push_back(view->value(0));
+      while (view->next()) {
+        if (views.contains(view->value(0))) continue;
+        views.push_back(view->value(0));
+        break;
+      }
     }
     if (views.empty()) return false;
     Result<QSqlQuery> all = connection_->execute("SELECT count(*) FROM views WHERE object = ?", {root.value});

@@ -74,9 +74,9 @@ class ObjectDatabase {
   /// that do not match each other; the error of `check`. `check` runs while nobody else can write, and only
   /// reads.
   [[nodiscard]] Result<std::int64_t> addView(const ObjectView& view, const Check& check = nothingToCheck);
-  /// Removes views that `object` got in that session from those frames: they become a new object, which is
-  /// removed. An object without other views is removed itself. Settled and hidden objects are not changed.
-  /// Returns whether it was removed.
+  /// Removes views that `object` got in that session: for each of `frames` the oldest one from there. They
+  /// become a new object, which is removed. An object without other views is removed itself. Nothing changes
+  /// unless CatalogueModel::mayDiscardViews(). Returns whether the object was removed.
   [[nodiscard]] Result<bool> discardViews(ObjectId object, std::int64_t session, std::span<const int> frames);
 
   // Operations of CatalogueModel.

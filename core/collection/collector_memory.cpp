@@ -1,8 +1,9 @@
 #include "core/collection/collector_memory.h"
 
+#include <cmath>
 #include <concepts>
 #include <map>
-#include <opencv2/core/mat.hpp>
+#include <opencv2/core.hpp>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -14,7 +15,8 @@
 namespace scantrove {
 namespace {
 
-constexpr std::uint32_t kMemoryVersion = 1;
+constexpr std::uint32_t kMemoryVersion = 2;
+constexpr std::uint32_t kWithQuality = 2;   ///< first version with StoredView::quality
 constexpr int kLargestImageSide = 1 << 16;  // of an image
 
 // Each record is described once, in describe(): writing and reading visit its fields in that order.
@@ -43,6 +45,9 @@ void describe(Archive& archive, T& view) {
   archive(view.object, view.frame_index, view.T_world_camera, view.image_px.width, view.image_px.height,
           view.box_px.x, view.box_px.y, view.mask, view.z_m, view.direction, view.diagonal_m,
           view.is_outdated, view.is_of_removed);
+  if (archive.version() >= kWithQuality) {
+    archive(view.quality.pixels, view.quality.sharpness, view.quality.outline, view.quality.hidden);
+  }
 }
 template <class Archive, SameRecord<CollectorState> T>
 void describe(Archive& archive, T& state) {
@@ -67,6 +72,7 @@ class MemoryWriter {
   void operator()(const Values&... values) {
     (write(values), ...);
   }
+  [[nodiscard]] static std::uint32_t version() { return kMemoryVersion; }
   [[nodiscard]] std::vector<std::uint32_t> take() { return to_.take(); }
 
  private:
@@ -130,6 +136,12 @@ class MemoryReader {
   void operator()(Values&... values) {
     (read(values), ...);
   }
+  /// Reads the version, which must come first. False: of a later program.
+  [[nodiscard]] bool readVersion() {
+    version_ = from_.get<std::uint32_t>();
+    return version_ >= 1 && version_ <= kMemoryVersion;
+  }
+  [[nodiscard]] std::uint32_t version() const { return version_; }
   [[nodiscard]] bool isAtEnd() const { return from_.isAtEnd(); }
 
  private:
@@ -177,7 +189,12 @@ class MemoryReader {
     const bool is_view = view.mask.type() == CV_8UC1 && view.z_m.type() == CV_32FC1 && !view.mask.empty() &&
                          view.z_m.size() == view.mask.size() && view.image_px.width < kLargestImageSide &&
                          view.image_px.height < kLargestImageSide && (view.box_px & image) == view.box_px;
-    if (!is_view) from_.refuse();
+    const auto isMeasure = [](float value) { return std::isfinite(value) && value >= 0; };
+    const ViewQuality& quality = view.quality;
+    const bool is_quality = isMeasure(quality.pixels) && isMeasure(quality.sharpness) &&
+                            isMeasure(quality.outline) && isMeasure(quality.hidden);
+    if (!is_view || !is_quality) return from_.refuse();
+    if (version_ < kWithQuality) view.quality.pixels = static_cast<float>(cv::countNonZero(view.mask));
   }
   void read(ViewSphere& views) {
     std::vector<Eigen::Vector3f> directions;
@@ -220,6 +237,7 @@ class MemoryReader {
   }
 
   ByteReader from_;
+  std::uint32_t version_ = 0;
 };
 
 }  // namespace
@@ -232,9 +250,7 @@ std::vector<std::uint32_t> collectorMemory(const CollectorState& state) {
 
 std::optional<CollectorState> collectorStateFrom(std::span<const std::uint32_t> words) {
   MemoryReader from(words);
-  std::uint32_t version = 0;
-  from(version);
-  if (version != kMemoryVersion) return std::nullopt;
+  if (!from.readVersion()) return std::nullopt;
   CollectorState state;
   from(state);
   if (!from.isAtEnd()) return std::nullopt;

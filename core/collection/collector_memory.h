@@ -31,7 +31,7 @@ struct CollectorState {
 
 /// Serializes for the session.
 [[nodiscard]] std::vector<std::uint32_t> collectorMemory(const CollectorState& state);
-/// None: the words are damaged or of another version.
+/// None: the words are damaged or of a later version.
 [[nodiscard]] std::optional<CollectorState> collectorStateFrom(std::span<const std::uint32_t> words);
 
 /// Error: the `catalogue` lacks objects that the scan added to it. `catalogue` must be loaded.

@@ -48,6 +48,7 @@ ObjectCollector::ObjectCollector(CatalogueMirror catalogue, std::unique_ptr<Cata
       identities_(catalogue_, *writer_, tracks_, requests_, std::move(state.identities)),
       recognizer_(catalogue_, tracks_, requests_, std::move(state.recognizer)),
       views_(catalogue_, *writer_, tracks_, requests_, identities_, std::move(state.views)),
+      best_views_(catalogue_, tracks_, requests_, identities_, views_),
       objects_(catalogue_, tracks_),
       is_refining_(state.is_refining),
       is_last_pass_(state.is_last_pass),

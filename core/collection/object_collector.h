@@ -11,6 +11,7 @@
 #include "core/catalogue/catalogue_mirror.h"
 #include "core/catalogue/catalogue_writer.h"
 #include "core/catalogue/object_database.h"
+#include "core/collection/best_views.h"
 #include "core/collection/collected_objects.h"
 #include "core/collection/collector_memory.h"
 #include "core/collection/frame_objects.h"
@@ -34,9 +35,10 @@ namespace scantrove {
 /// Only create(), settle() and finish() wait for the database. Results take effect at once; another thread
 /// stores them, and a later call reports that they are stored.
 ///
-/// Five parts do the work: ObjectTracks follows objects, Recognizer compares appearances, IdentityResolver
-/// decides which objects are the same, ViewKeeper stores views, UserRequests handles requests of users.
-/// CollectedObjects reports the result.
+/// Six parts do the work: ObjectTracks follows objects, Recognizer compares appearances, IdentityResolver
+/// decides which objects are the same, ViewKeeper stores views, BestViews chooses them in the end,
+/// UserRequests handles requests of users. CollectedObjects reports the result. Accessors to the parts make
+/// it more than thirty functions.
 class ObjectCollector {
  public:
   using JoinedBy = IdentityResolver::JoinedBy;
@@ -53,6 +55,7 @@ class ObjectCollector {
   [[nodiscard]] UserRequests& requests() { return requests_; }
   [[nodiscard]] const UserRequests& requests() const { return requests_; }
   [[nodiscard]] ViewKeeper& views() { return views_; }
+  [[nodiscard]] BestViews& bestViews() { return best_views_; }
   [[nodiscard]] const CollectedObjects& objects() const { return objects_; }
   void setParams(const DetectionParams& params);
 
@@ -80,7 +83,7 @@ class ObjectCollector {
 
   // Refinement, when regions do not change any more: begin; settle the complete sets; compare the views()
   // with the map; collect() from the key frames; begin the last pass; collect() from the frames that it
-  // names; end.
+  // names; choose the bestViews() and store them; end.
 
   void beginRefinement();
   /// From now on the scene consists of the `complete` sets, which are disjoint, most likely first. A
@@ -127,6 +130,7 @@ class ObjectCollector {
   IdentityResolver identities_;
   Recognizer recognizer_;
   ViewKeeper views_;
+  BestViews best_views_;
   CollectedObjects objects_;
   bool is_refining_ = false;
   bool is_last_pass_ = false;

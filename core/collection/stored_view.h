@@ -3,6 +3,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/ids.h"
+#include "core/collection/view_choice.h"
 
 namespace scantrove {
 
@@ -13,10 +14,11 @@ struct StoredView {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   cv::Size image_px;  ///< size of the image that box, mask and depth refer to
   cv::Rect box_px;
-  cv::Mat mask;                ///< as Candidate::mask
-  cv::Mat z_m;                 ///< CV_32FC1, same size: the frame's depth there, 0 = none
-  Eigen::Vector3f direction;   ///< from the object to the camera, world
-  float diagonal_m = 0;        ///< of the object in this view
+  cv::Mat mask;               ///< as Candidate::mask
+  cv::Mat z_m;                ///< CV_32FC1, same size: the frame's depth there, 0 = none
+  Eigen::Vector3f direction;  ///< from the object to the camera, world
+  float diagonal_m = 0;       ///< of the object in this view
+  ViewQuality quality;
   bool is_outdated = false;    ///< the object has other regions now
   bool is_of_removed = false;  ///< and the map no longer shows most of the view
 

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "core/catalogue/thumbnail.h"
+#include "core/collection/candidate_crop.h"
+#include "core/image/sharpness.h"
 
 namespace scantrove {
 namespace {
@@ -122,14 +124,32 @@ void ViewKeeper::addView(ObjectId object, const Candidate& candidate, const Obse
     return catalogue_.mergeRootOf(track.first) != record->id ||
            track.second.views.isNew(direction, params_.new_view_angle_deg);
   });
-  if (!is_new || !writer_.hasRoomForView(object)) return;
+  if (is_new) static_cast<void>(storeView(object, candidate, observed));
+}
+
+bool ViewKeeper::storeView(ObjectId object, const Candidate& candidate, const ObservedFrame& observed) {
+  if (!writer_.hasRoomForView(object)) return false;
   std::optional<ObjectView> view = viewOf(candidate, observed);
-  if (!view) return;
+  if (!view) return false;
   view->object = object;
   catalogue_.addView(*view);
   noteStored(*view, candidate, observed);
   writer_.addView(std::move(*view));
-  tracks_.viewsOf(object).keep(direction);
+  tracks_.viewsOf(object).keep(observed.directionOf(candidate));
+  return true;
+}
+
+ViewQuality ViewKeeper::qualityOf(const Candidate& candidate, const ObservedFrame& observed) {
+  const cv::Mat& color = observed.frame.color;
+  const double scale =
+      static_cast<double>(color.total()) / static_cast<double>(observed.in_color.places.total());
+  const cv::Rect2f box = boxInColor(observed.in_color, candidate);
+  const auto width = static_cast<float>(color.cols), height = static_cast<float>(color.rows);
+  const cv::Rect crop = cv::Rect(cv::Point(cvFloor(box.x * width), cvFloor(box.y * height)),
+                                 cv::Point(cvCeil(box.br().x * width), cvCeil(box.br().y * height))) &
+                        cv::Rect({}, color.size());
+  return {static_cast<float>(scale * cv::countNonZero(candidate.mask)),
+          crop.empty() ? 0 : sharpnessOf(color(crop)), candidate.outline, candidate.hidden};
 }
 
 std::optional<ObjectView> ViewKeeper::viewOf(const Candidate& candidate,
@@ -145,7 +165,7 @@ void ViewKeeper::noteStored(const ObjectView& view, const Candidate& candidate,
   const cv::Size image_px = observed.in_color.places.size();
   views_.push_back({view.object, view.frame_index, view.T_world_camera, image_px, candidate.box_px,
                     candidate.mask.clone(), depthAt(observed.frame, candidate, image_px), view.direction,
-                    candidate.size_m.norm()});
+                    candidate.size_m.norm(), qualityOf(candidate, observed)});
 }
 
 bool ViewKeeper::matchesSize(const ObjectRecord& known, const Candidate& candidate,
@@ -237,10 +257,22 @@ void ViewKeeper::compare(int frame_index, const RenderedView& now, float depth_n
     view.is_outdated = true;
     changed.insert(view.object);
   }
-  // New views of the object may be stored from there.
-  for (const ObjectId object : changed) tracks_.viewsOf(object) = {};
+  updateDirections(changed);
+}
+
+void ViewKeeper::replace(std::span<const std::size_t> views) {
+  std::set<ObjectId> changed;
+  for (const std::size_t i : views) {
+    views_[i].is_outdated = true;
+    changed.insert(views_[i].object);
+  }
+  updateDirections(changed);
+}
+
+void ViewKeeper::updateDirections(const std::set<ObjectId>& objects) {
+  for (const ObjectId object : objects) tracks_.viewsOf(object) = {};
   for (const StoredView& view : views_) {
-    if (changed.contains(view.object) && !view.is_outdated) tracks_.viewsOf(view.object).keep(view.direction);
+    if (objects.contains(view.object) && !view.is_outdated) tracks_.viewsOf(view.object).keep(view.direction);
   }
 }
 

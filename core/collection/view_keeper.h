@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <set>
+#include <span>
 #include <vector>
 
 #include "core/catalogue/catalogue_mirror.h"
@@ -23,12 +25,17 @@ class ViewKeeper {
              std::vector<StoredView> views = {});
   [[nodiscard]] const std::vector<StoredView>& all() const { return views_; }
   void setParams(const DetectionParams& params) { params_ = params; }
+  [[nodiscard]] const DetectionParams& params() const { return params_; }
 
   /// Adds the candidate as a new object with its first view. None: the colour image does not show it, or
   /// the catalogue has no room now.
   [[nodiscard]] ObjectId addObject(const Candidate& candidate, const ObservedFrame& observed);
   /// Adds a view of the object if no stored view has a similar direction.
   void addView(ObjectId object, const Candidate& candidate, const ObservedFrame& observed);
+  /// Adds a view of the object. False: the colour image does not show it, or the catalogue has no room now.
+  [[nodiscard]] bool storeView(ObjectId object, const Candidate& candidate, const ObservedFrame& observed);
+  /// How well a view of the candidate from that frame would show it.
+  [[nodiscard]] static ViewQuality qualityOf(const Candidate& candidate, const ObservedFrame& observed);
 
   /// Whether the object is about as large as this candidate, as far as known.
   [[nodiscard]] bool matchesSize(const ObjectRecord& known, const Candidate& candidate,
@@ -57,6 +64,8 @@ class ViewKeeper {
   /// object differently is outdated. It stays valid if most of its content was removed since, unless the
   /// object is still there. `now`: the map rendered from there; `depth_noise_m`: FusionParams.
   void compare(int frame_index, const RenderedView& now, float depth_noise_m);
+  /// Better views have replaced these of all(), by index: they are outdated.
+  void replace(std::span<const std::size_t> views);
   /// Objects with valid views, by the ids that the views were stored for.
   [[nodiscard]] std::vector<ObjectId> objectsInValidViews() const;
   /// Removes outdated views from the catalogue, and objects that have no others.
@@ -67,6 +76,9 @@ class ViewKeeper {
                                                  const ObservedFrame& observed) const;
   void noteStored(const ObjectView& view, const Candidate& candidate, const ObservedFrame& observed);
   [[nodiscard]] bool isOutdated(const StoredView& view, const RenderedView& now) const;
+  /// The directions from which these objects have views that are not outdated; new views may be stored from
+  /// elsewhere.
+  void updateDirections(const std::set<ObjectId>& objects);
 
   CatalogueMirror& catalogue_;
   CatalogueWriter& writer_;

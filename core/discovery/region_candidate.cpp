@@ -4,11 +4,16 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/discovery/region_census.h"
+#include "core/discovery/region_outlines.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/small_components.h"
 
 namespace scantrove {
 namespace {
+
+/// Part of an outline at the image's border from which on an object is cut off.
+constexpr float kCutOff = 0.1F;
 
 /// Pixels of the region, 255, in an image of all.
 cv::Mat pixelsOfRegion(RegionId region, const DiscoveryInput& input) {
@@ -84,6 +89,33 @@ std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& inpu
   place(fitOrientedBox(points), input, candidate);
   candidate.pixels = cv::countNonZero(candidate.mask);
   return candidate;
+}
+
+std::vector<Candidate> candidatesOf(std::span<const RegionSet> sets, const DiscoveryInput& input,
+                                    double least_pixels) {
+  RegionCounter counter;
+  const RegionCensus census = counter.count(input.regions, input.view.K.width);
+  const RegionOutlines outlines(input);
+  std::vector<Candidate> candidates;
+  for (const RegionSet& set : sets) {
+    RegionHypothesis hypothesis{set, {}};
+    for (const RegionId region : set) {
+      const auto extent = std::ranges::lower_bound(census.extents, region, {}, &RegionExtent::region);
+      if (extent == census.extents.end() || extent->region != region) continue;
+      if (hypothesis.extent.pixels == 0) hypothesis.extent.region = region;
+      hypothesis.extent.add(*extent);
+    }
+    if (static_cast<double>(hypothesis.extent.pixels) < std::max(least_pixels, 1.0)) continue;
+    const std::vector<Eigen::Vector4f> points = pointsOf(set, hypothesis.extent.box_px, input);
+    if (points.size() < 3) continue;  // it has no shape
+    const OutlineSteps outline = outlines.of(set);
+    Candidate candidate = candidateOf(hypothesis, fitOrientedBox(points), input);
+    candidate.outline = outline.own();
+    candidate.hidden = outline.hiddenPart();
+    candidate.is_cut_off = static_cast<float>(outline.cut) >= kCutOff * static_cast<float>(outline.known());
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
 }
 
 }  // namespace scantrove

@@ -1,5 +1,7 @@
 #pragma once
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/discovery/candidate.h"
 #include "core/discovery/candidate_finder.h"
@@ -17,5 +19,11 @@ namespace scantrove {
 /// `least_points` of its pixels have a surface in this image.
 [[nodiscard]] std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& input,
                                                    int least_points);
+
+/// Known objects as candidates, without applying the rules: those of `sets` of which this image shows at
+/// least `least_pixels` pixels, in order, with `outline`, `hidden` and `is_cut_off` (a tenth of the outline
+/// or more).
+[[nodiscard]] std::vector<Candidate> candidatesOf(std::span<const RegionSet> sets,
+                                                  const DiscoveryInput& input, double least_pixels);
 
 }  // namespace scantrove

@@ -15,6 +15,16 @@ struct RegionExtent {
   cv::Rect box_px;
   double sum_u = 0, sum_v = 0, sum_uu = 0, sum_uv = 0, sum_vv = 0;  ///< over its pixels, image moments
 
+  /// Adds the pixels of another region.
+  void add(const RegionExtent& other) {
+    pixels += other.pixels;
+    box_px |= other.box_px;
+    sum_u += other.sum_u;
+    sum_v += other.sum_v;
+    sum_uu += other.sum_uu;
+    sum_uv += other.sum_uv;
+    sum_vv += other.sum_vv;
+  }
   [[nodiscard]] double centroidU() const { return sum_u / static_cast<double>(pixels); }
   [[nodiscard]] double centroidV() const { return sum_v / static_cast<double>(pixels); }
   /// Direction of the longer axis of the ellipse with the same second moments, from u towards v, radians.

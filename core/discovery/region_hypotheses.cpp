@@ -22,16 +22,6 @@ bool couldHold(const RegionExtent& outside, const RegionExtent& inner) {
   return longest(inner.box_px) <= kWider * longest(outside.box_px);
 }
 
-void include(const RegionExtent& other, RegionExtent& extent) {
-  extent.pixels += other.pixels;
-  extent.box_px |= other.box_px;
-  extent.sum_u += other.sum_u;
-  extent.sum_v += other.sum_v;
-  extent.sum_uu += other.sum_uu;
-  extent.sum_uv += other.sum_uv;
-  extent.sum_vv += other.sum_vv;
-}
-
 /// The pairs of regions that could be one object.
 class Neighborhood {
  public:
@@ -124,7 +114,7 @@ std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> re
         if (larger.size() == hypotheses[i].regions.size() || !known.insert(larger).second) continue;
         RegionHypothesis hypothesis = hypotheses[i];
         const auto added = std::ranges::find(regions, other, &RegionExtent::region);
-        include(*added, hypothesis.extent);
+        hypothesis.extent.add(*added);
         hypothesis.visible_area_m2 +=
             hypotheses[static_cast<std::size_t>(added - regions.begin())].visible_area_m2;
         hypothesis.odds = std::min(hypothesis.odds, odds);

@@ -5,7 +5,6 @@
 #include "core/discovery/region_candidate.h"
 
 namespace scantrove {
-namespace {
 
 void leaveOutRejected(const ObjectCollector& collector, const RegionNotes& notes,
                       std::vector<Candidate>& candidates) {
@@ -19,8 +18,6 @@ void leaveOutRejected(const ObjectCollector& collector, const RegionNotes& notes
     });
   });
 }
-
-}  // namespace
 
 std::vector<Candidate> candidatesFor(ObjectCollector& collector, const FrameResult& result,
                                      const RegionNotes& notes, int least_points) {

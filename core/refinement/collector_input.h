@@ -14,6 +14,10 @@ namespace scantrove {
 [[nodiscard]] std::vector<Candidate> candidatesFor(ObjectCollector& collector, const FrameResult& result,
                                                    const RegionNotes& notes, int least_points);
 
+/// Drops candidates that users marked as background or rejected, or that hold a separate thing.
+void leaveOutRejected(const ObjectCollector& collector, const RegionNotes& notes,
+                      std::vector<Candidate>& candidates);
+
 /// Requested regions in `input` that no candidate holds yet.
 void addRequested(const ObjectCollector& collector, const DiscoveryInput& input, int least_points,
                   std::vector<Candidate>& candidates);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/compute/guarded.h"
+#include "core/discovery/region_candidate.h"
 #include "core/refinement/collector_input.h"
 #include "core/refinement/finer_regions.h"
 #include "core/refinement/rated_sets.h"
@@ -27,9 +28,13 @@ std::vector<T> evenly(std::vector<T> all, std::size_t most) {
 /// object is dropped. Of the sets between this and even odds about half are complete in random rooms.
 constexpr float kComplete = -0.2F;
 
-constexpr std::array kPasses{RefinementPosition::Pass::segment, RefinementPosition::Pass::rate,
-                             RefinementPosition::Pass::judge, RefinementPosition::Pass::collect,
-                             RefinementPosition::Pass::complete};
+/// Least pixels of an object's view, of a reference image.
+constexpr double kMinViewPixels = 400;
+
+constexpr std::array kPasses{RefinementPosition::Pass::segment,    RefinementPosition::Pass::rate,
+                             RefinementPosition::Pass::judge,      RefinementPosition::Pass::collect,
+                             RefinementPosition::Pass::complete,   RefinementPosition::Pass::compare_views,
+                             RefinementPosition::Pass::store_views};
 
 RefinementPosition::Pass after(RefinementPosition::Pass pass) {
   return static_cast<RefinementPosition::Pass>(static_cast<int>(pass) + 1);
@@ -48,6 +53,9 @@ Result<void> FinalPass::run(RefinementPosition begin) {
   position_ = begin;
   // Ratings count together and are not stored, so this pass starts again.
   if (position_.pass == Pass::rate) position_.frames = 0;
+  // Nor are offers of views.
+  if (position_.pass == Pass::compare_views || position_.pass == Pass::store_views)
+    position_ = {Pass::compare_views, 0};
   for (; position_.pass != Pass::done; position_ = {after(position_.pass), 0}) {
     if (!callbacks_.may_continue()) return {};  // a pass may first read the whole map
     const Result<bool> is_done = runPass();
@@ -69,6 +77,10 @@ Result<bool> FinalPass::runPass() {
       return collect();
     case Pass::complete:
       return complete();
+    case Pass::compare_views:
+      return compareViews();
+    case Pass::store_views:
+      return storeViews();
     case Pass::done:
       break;
   }
@@ -98,6 +110,13 @@ Result<bool> FinalPass::forEachKeyFrame(const std::vector<const KeyFrame*>& keys
 std::vector<const FinalPass::KeyFrame*> FinalPass::allKeyFrames() const {
   std::vector<const KeyFrame*> keys;
   for (const KeyFrame& key : key_frames_) keys.push_back(&key);
+  return keys;
+}
+
+std::vector<const FinalPass::KeyFrame*> FinalPass::keyFramesOf(const std::vector<int>& frames) const {
+  std::vector<const KeyFrame*> keys = allKeyFrames();
+  std::erase_if(keys,
+                [&](const KeyFrame* key) { return !std::ranges::binary_search(frames, key->frame_index); });
   return keys;
 }
 
@@ -188,14 +207,51 @@ Result<bool> FinalPass::collect() {
 
 /// Adds views of objects without any, from the frames that show them best.
 Result<bool> FinalPass::complete() {
-  const std::vector<int> needed = collector_.beginLastPass();
-  std::vector<const KeyFrame*> keys = allKeyFrames();
-  std::erase_if(keys,
-                [&](const KeyFrame* key) { return !std::ranges::binary_search(needed, key->frame_index); });
-  Result<bool> is_done = forEachKeyFrame(
-      keys, [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) { return collectFrom(frame, T); });
-  if (is_done && *is_done) collector_.endRefinement();
+  return forEachKeyFrame(
+      keyFramesOf(collector_.beginLastPass()),
+      [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) { return collectFrom(frame, T); });
+}
+
+/// All key frames offer their views of the objects.
+Result<bool> FinalPass::compareViews() {
+  BestViews& best = collector_.bestViews();
+  best.begin();
+  return forEachKeyFrame(allKeyFrames(), [&](const RgbdFrame& frame, const Eigen::Isometry3d& T) {
+    return forEachObjectIn(frame, T, [&best](const Candidate& candidate, const ObservedFrame& observed) {
+      best.offer(candidate, observed);
+    });
+  });
+}
+
+/// Stores the best of the offered views in place of others.
+Result<bool> FinalPass::storeViews() {
+  BestViews& best = collector_.bestViews();
+  const auto storeFrom = [&](const RgbdFrame& frame, const Eigen::Isometry3d& T) {
+    return forEachObjectIn(frame, T, [&best](const Candidate& candidate, const ObservedFrame& observed) {
+      best.store(candidate, observed);
+    });
+  };
+  Result<bool> is_done = forEachKeyFrame(keyFramesOf(best.choose()), storeFrom);
+  if (!is_done || !*is_done) return is_done;
+  best.finish();
+  collector_.endRefinement();
   return is_done;
+}
+
+Result<void> FinalPass::forEachObjectIn(
+    const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+    const std::function<void(const Candidate&, const ObservedFrame&)>& use) {
+  return guarded("viewing the objects in frame " + std::to_string(frame.index), [&]() -> Result<void> {
+    const FrameResult seen = pipeline_.observe(frame, T_world_camera);
+    const std::vector<RegionId> shown = seen.shownRegions();
+    const double least_pixels = kMinViewPixels * seen.view.K.pixelScale();
+    const ObservedFrame observed{frame, T_world_camera, seen.observed.in_color};
+    std::vector<Candidate> candidates =
+        candidatesOf(collector_.bestViews().sets(), seen.inputFor(shown), least_pixels);
+    leaveOutRejected(collector_, pipeline_.labels().editor().notes(), candidates);
+    for (const Candidate& candidate : candidates) use(candidate, observed);
+    return {};
+  });
 }
 
 Result<void> FinalPass::collectFrom(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
@@ -226,7 +282,7 @@ Result<std::unique_ptr<RegionJudge>> FinalPass::makeJudge(const RegionTable& tab
 }
 
 int FinalPass::stepsOf(Pass pass) const {
-  const bool is_short = pass == Pass::judge || pass == Pass::complete;
+  const bool is_short = pass == Pass::judge || pass == Pass::complete || pass == Pass::store_views;
   return is_short ? (keyFrames() + 3) / 4 : keyFrames();
 }
 

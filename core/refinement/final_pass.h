@@ -16,8 +16,9 @@
 namespace scantrove {
 
 /// The refinement of a scan: segments its key frames at full resolution, rates which regions are complete
-/// objects, drops views and objects that show something else, and collects what was missed. It can be stopped
-/// at any frame and continued from there later. One thread, the worker's.
+/// objects, drops views and objects that show something else, collects what was missed, and chooses the best
+/// views of each object. It can be stopped at any frame and continued from there later. One thread, the
+/// worker's.
 class FinalPass {
  public:
   struct KeyFrame {
@@ -56,6 +57,8 @@ class FinalPass {
   [[nodiscard]] Result<bool> judgeViews();
   [[nodiscard]] Result<bool> collect();
   [[nodiscard]] Result<bool> complete();
+  [[nodiscard]] Result<bool> compareViews();
+  [[nodiscard]] Result<bool> storeViews();
   [[nodiscard]] Result<bool> runPass();
 
   /// Runs a pass for each of its remaining frames.
@@ -64,10 +67,16 @@ class FinalPass {
                                      const std::function<Result<void>(const Task&)>& step);
   [[nodiscard]] Result<bool> forEachKeyFrame(const std::vector<const KeyFrame*>& keys, const FrameStep& step);
   [[nodiscard]] std::vector<const KeyFrame*> allKeyFrames() const;
+  /// Those of these frames (RgbdFrame::index), ascending.
+  [[nodiscard]] std::vector<const KeyFrame*> keyFramesOf(const std::vector<int>& frames) const;
   /// The frame's candidates as rated by `judge`.
   [[nodiscard]] std::vector<Candidate> findCandidates(FrameResult& observed, RegionJudge& judge,
                                                       const RegionTable& table);
   [[nodiscard]] Result<void> collectFrom(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  /// Calls `use` with each object as the frame shows it, unless a user marked its regions as none.
+  [[nodiscard]] Result<void> forEachObjectIn(
+      const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+      const std::function<void(const Candidate&, const ObservedFrame&)>& use);
   [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
   /// A judge of the current regions.
   [[nodiscard]] Result<std::unique_ptr<RegionJudge>> makeJudge(const RegionTable& table);

@@ -4,7 +4,7 @@ namespace scantrove {
 
 /// The progress of a refinement.
 struct RefinementPosition {
-  enum class Pass { segment, rate, judge, collect, complete, done };
+  enum class Pass { segment, rate, judge, collect, complete, compare_views, store_views, done };
   Pass pass = Pass::segment;
   int frames = 0;  ///< done in this pass
 

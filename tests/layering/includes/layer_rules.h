@@ -88,7 +88,7 @@ class LayerRules {
         {"pipeline",
          {"base", "compute", "capture", "fusion", "tracking", "segmentation", "labeling", "discovery",
           "editing", "meshing"}},
-        {"collection", {"base", "geometry", "capture", "fusion", "discovery", "catalogue"}},
+        {"collection", {"base", "geometry", "image", "capture", "fusion", "discovery", "catalogue"}},
         {"session",
          {"base", "geometry", "image", "compute", "database", "capture", "exchange", "dataset", "fusion",
           "tracking", "segmentation", "labeling", "discovery", "editing", "catalogue", "pipeline",

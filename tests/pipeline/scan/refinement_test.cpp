@@ -184,7 +184,7 @@ TEST_F(LaterRefinementTest, ContinuesWhereItStopped) {
   // Stops in the first pass, then in the pass that collects objects.
   EXPECT_TRUE(runUntilStep(requestIn(folder), steps_ / 6).refinement.skipped);
   EXPECT_TRUE(resultsIn(folder).can_be_refined);
-  EXPECT_TRUE(runUntilStep(requestToRefine(folder), steps_ * 7 / 10).refinement.skipped);
+  EXPECT_TRUE(runUntilStep(requestToRefine(folder), steps_ * 6 / 10).refinement.skipped);
   EXPECT_TRUE(resultsIn(folder).can_be_refined);
   const ScanEnding ending = runScan(requestToRefine(folder));
   ASSERT_TRUE(ending.report) << ending.error;

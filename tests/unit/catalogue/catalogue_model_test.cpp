@@ -198,6 +198,17 @@ TEST_F(CatalogueModelTest, MayMerge_IsFalse_WhenBothAreSettledOrKeptApartOrHidde
   EXPECT_FALSE(model_.mayMerge(kOld, kMiddle));
 }
 
+TEST_F(CatalogueModelTest, MayDiscardViews_IsFalse_WhenSettledOrHidden) {
+  EXPECT_TRUE(model_.mayDiscardViews(kNew));
+  settle(kOld, "mug");
+  EXPECT_FALSE(model_.mayDiscardViews(kOld)) << "a user named it";
+  ASSERT_TRUE(model_.setConfirmed(std::array{kMiddle}, true));
+  EXPECT_FALSE(model_.mayDiscardViews(kMiddle)) << "a user confirmed it";
+  ASSERT_TRUE(model_.remove(std::array{kNew}));
+  EXPECT_FALSE(model_.mayDiscardViews(kNew));
+  EXPECT_FALSE(model_.mayDiscardViews(ObjectId{9})) << "there is no such object";
+}
+
 // Deleting.
 
 TEST_F(CatalogueModelTest, Restore_ShowsDeletedObjects_AndFailsForMergedOnes) {

@@ -93,6 +93,25 @@ TEST_F(ObjectMergingTest, DiscardedViewsBecomeARemovedObject) {
   EXPECT_EQ(of_discarded, 1) << "recognition attributes the view to it, too";
 }
 
+TEST_F(ObjectMergingTest, DiscardsTheOlderOfTwoViewsOfAFrame) {
+  const std::int64_t session = *database_->sessions().begin("demo");
+  const ObjectId mug = addFrom(session, 1);
+  const auto addView = [&] {
+    ObjectView view = randomView(1);
+    view.object = mug;
+    view.session = session;
+    return *database_->addView(view);
+  };
+  const std::int64_t second = addView(), third = addView();
+  const int once[] = {1};
+  EXPECT_EQ(database_->discardViews(mug, session, once), false);
+  std::vector<std::int64_t> left;
+  for (const ObjectView& view : *database_->views().of(mug)) left.push_back(view.id);
+  EXPECT_THAT(left, testing::ElementsAre(second, third));
+  const int twice[] = {1, 1};
+  EXPECT_EQ(database_->discardViews(mug, session, twice), true) << "the object has no other views";
+}
+
 TEST_F(ObjectMergingTest, DiscardingAllViewsRemovesTheObject_UnlessNamedOrConfirmed) {
   const std::int64_t session = *database_->sessions().begin("demo");
   const ObjectId patch = addFrom(session, 1), named = addFrom(session, 2), confirmed = addFrom(session, 3);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -48,6 +51,7 @@ CollectorState someState() {
   view.z_m = cv::Mat(2, 3, CV_32FC1, cv::Scalar(1.5));
   view.direction = {0, 0, 1};
   view.diagonal_m = 0.3F;
+  view.quality = {1234.5F, 0.0625F, 0.9375F, 0.15625F};
   view.is_of_removed = true;
   state.views = {view};
   state.is_refining = true;
@@ -70,8 +74,29 @@ TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
   EXPECT_EQ(read->views[0].box_px, cv::Rect(2, 1, 3, 2));
   EXPECT_FLOAT_EQ(read->views[0].z_m.at<float>(1, 2), 1.5F);
   EXPECT_TRUE(read->views[0].is_of_removed);
+  EXPECT_FLOAT_EQ(read->views[0].quality.pixels, 1234.5F);
+  EXPECT_FLOAT_EQ(read->views[0].quality.hidden, 0.15625F);
   EXPECT_TRUE(read->is_refining);
   EXPECT_FALSE(read->is_last_pass);
+  EXPECT_EQ(read->frame, 77);
+}
+
+TEST(CollectorMemory, StateOfTheFirstVersionIsRead_WithoutTheQualityOfViews) {
+  CollectorState state = someState();
+  state.views[0].box_px = {2, 1, 2, 2};
+  state.views[0].mask = cv::Mat(2, 2, CV_8UC1, cv::Scalar(255));  // whole words
+  state.views[0].z_m = cv::Mat(2, 2, CV_32FC1, cv::Scalar(1.5));
+  std::vector<std::uint32_t> memory = collectorMemory(state);
+  ASSERT_EQ(memory[0], 2U);
+  memory[0] = 1;
+  const auto quality = std::ranges::find(memory, std::bit_cast<std::uint32_t>(1234.5F));
+  ASSERT_NE(quality, memory.end());
+  memory.erase(quality, quality + 4);
+  const std::optional<CollectorState> read = collectorStateFrom(memory);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->views.size(), 1U);
+  EXPECT_FLOAT_EQ(read->views[0].quality.pixels, 4) << "of the mask";
+  EXPECT_EQ(read->views[0].quality.sharpness, 0);
   EXPECT_EQ(read->frame, 77);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "tests/unit/discovery/painted_scene.h"
 
@@ -42,6 +43,42 @@ TEST(RegionCandidate, IsNone_WhenTooFewPixelsHaveASurface) {
   EXPECT_FALSE(candidateOf(RegionId{8}, scene.input(), 0)) << "not in view";
   for (Eigen::Vector4f& vertex : scene.view.vertices_world) vertex.setZero();
   EXPECT_FALSE(candidateOf(RegionId{7}, scene.input(), 0)) << "labels without a surface";
+}
+
+TEST(CandidatesOfSets, AreTheSetsInView_WithTheirOutlines) {
+  PaintedScene scene;
+  scene.paintBump(7, {30, 40, 20, 24}, 1.2F);
+  scene.paintBump(8, {50, 40, 20, 24}, 1.2F);
+  scene.paintBump(9, {100, 50, 5, 5}, 1.2F);
+  const std::vector<RegionSet> sets{{RegionId{7}, RegionId{8}}, {RegionId{9}}, {RegionId{70}}};
+  const std::vector<Candidate> candidates = candidatesOf(sets, scene.input(), 100);
+  ASSERT_EQ(candidates.size(), 1U) << "one is small, one is not in view";
+  EXPECT_EQ(candidates[0].regions, sets[0]);
+  EXPECT_EQ(candidates[0].box_px, cv::Rect(30, 40, 40, 24));
+  EXPECT_EQ(candidates[0].pixels, 40 * 24);
+  EXPECT_GT(candidates[0].outline, 0.9F) << "it ends at depth edges";
+  EXPECT_EQ(candidates[0].hidden, 0);
+  EXPECT_FALSE(candidates[0].is_cut_off);
+}
+
+TEST(CandidatesOfSets, KnowWhatHidesThem) {
+  PaintedScene scene;
+  scene.paint(7, {40, 40, 40, 40}, [](int, int) { return 1.4F; });
+  scene.paint(8, {70, 30, 30, 60}, [](int, int) { return 1.0F; });
+  const std::vector<RegionSet> sets{{RegionId{7}}};
+  const std::vector<Candidate> candidates = candidatesOf(sets, scene.input(), 100);
+  ASSERT_EQ(candidates.size(), 1U);
+  // The right one of four sides: 40 of 30 + 40 + 30 + 40 steps.
+  EXPECT_NEAR(candidates[0].hidden, 40 / 140.0, 0.08);
+}
+
+TEST(CandidatesOfSets, AreCutOff_AtTheImageBorder) {
+  PaintedScene scene;
+  scene.paintBump(7, {0, 40, 30, 30}, 1.2F);
+  const std::vector<RegionSet> sets{{RegionId{7}}};
+  const std::vector<Candidate> candidates = candidatesOf(sets, scene.input(), 100);
+  ASSERT_EQ(candidates.size(), 1U);
+  EXPECT_TRUE(candidates[0].is_cut_off);
 }
 
 }  // namespace
