@@ -176,6 +176,8 @@ TEST(CommandLine, RefusesExports_WhenOptionsContradict) {
   expectRefused(parse({"export", "scan", "--format", "word", "--out", "x"}), {"word"});
   expectRefused(parse({"export", "scan", "--database", "db", "--out", "x"}), {"DIR"});
   expectRefused(parse({"export", "--out", "x"}), {"--database"});
+  expectRefused(parse({"export", "--database", "db", "--include-blurred", "--out", "x"}),
+                {"--include-unfit-frames"});
   expectRefused(parse({"export", "--database", "db", "--format", "coco", "--out", "x"}), {"--format"});
   expectRefused(parse({"export", "scan", "--out", "x"}), {"--format"});
   expectRefused(parse({"export", "scan", "--format", "ply", "--centred", "--out", "x"}), {"--centred"});

@@ -1,3 +1,4 @@
+#include <QCheckBox>
 #include <QCompleter>
 #include <QDir>
 #include <QFile>
@@ -170,6 +171,16 @@ TEST_F(WindowTest, ExportDialogFitsASmallScreen) {
     if (!button->isVisible() || button->parentWidget() != &dialog) continue;
     EXPECT_TRUE(dialog.rect().contains(button->geometry())) << button->text().toStdString();
   }
+}
+
+TEST_F(WindowTest, ExportDialogIncludesUnfitFrames_WhenTicked) {
+  const ExportDialog dialog(QStringLiteral("kitchen"), window_.get());
+  EXPECT_FALSE(dialog.options().include_unfit);
+  for (QCheckBox* box : dialog.findChildren<QCheckBox*>())
+    box->setChecked(box->text().contains(QStringLiteral("unfit")));
+  EXPECT_TRUE(dialog.options().include_unfit);
+  EXPECT_FALSE(dialog.options().all_frames);
+  EXPECT_FALSE(dialog.options().background);
 }
 
 TEST_F(WindowTest, CompletionListHasTheColorsOfTheTheme) {
