@@ -5,6 +5,7 @@
 #include "app/image_evaluation.h"
 #include "app/json_output.h"
 #include "app/number_check.h"
+#include "app/recognition_evaluation.h"
 #include "app/segmentation_evaluation.h"
 #include "core/capture/trajectory_reader.h"
 #include "core/evaluation/trajectory_metrics.h"
@@ -21,6 +22,8 @@ struct EvaluateCommand {
   bool with_estimated = false;
   SegmentationMetricOptions metrics;
   ImageEvaluation images;
+  RecognitionEvaluation recognition;
+  bool json = false;
 };
 
 Json toJson(const ErrorSummary& summary) {
@@ -188,6 +191,41 @@ void addImages(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command
       ->type_name("DIR");
 }
 
+void addRecognition(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command, CommandJob& job) {
+  CLI::App* sub = parent.add_subcommand(
+      "recognition",
+      "Recognition of things in single photographs by the program's own detector.\n"
+      "The folder holds NAME-color.png (or .jpg), NAME-depth.png in mm, NAME-label.png with labels\n"
+      "100 * thing + instance, and label_mapping.csv with lines NUMBER,NAME (HOTS).\n"
+      "A few random views of each thing are stored; all crops of other images are queries. A query is\n"
+      "compared with the stored views of other images, and once more without those of its own thing.\n"
+      "A name is false if it is another thing's, or if the thing was not stored.");
+  sub->add_option("folder", command->recognition.folder, "the images")->required()->type_name("DIR");
+  sub->add_option("--views", command->recognition.views, "stored views of each thing")
+      ->transform(wholeNumber(1))
+      ->type_name("N");
+  sub->add_option("--draws", command->recognition.draws, "random choices of these views")
+      ->transform(wholeNumber(1))
+      ->type_name("N");
+  sub->add_option("--seed", command->recognition.seed, "of the random choices")
+      ->transform(wholeNumber(0))
+      ->type_name("N");
+  sub->add_option("--set", command->recognition.settings,
+                  "a parameter: KEY=VALUE; may be given several times")
+      ->type_name("KEY=VALUE");
+  sub->add_option("--device", command->recognition.device, "OpenCL device, by a part of its name")
+      ->type_name("NAME");
+  sub->add_flag("--json", command->json, "as JSON");
+  sub->callback([command, &job] {
+    job = [command]() -> Result<void> {
+      const auto result = evaluateRecognition(command->recognition);
+      if (!result) return fail(result.error());
+      command->json ? printJson(*result) : printRecognition(*result);
+      return {};
+    };
+  });
+}
+
 }  // namespace
 
 void addEvaluateCommand(CLI::App& app, CommandJob& job) {
@@ -198,6 +236,7 @@ void addEvaluateCommand(CLI::App& app, CommandJob& job) {
   addSegmentation(*evaluate, command, job);
   addCatalogue(*evaluate, command, job);
   addImages(*evaluate, command, job);
+  addRecognition(*evaluate, command, job);
 }
 
 }  // namespace scantrove

@@ -22,6 +22,7 @@ std::string plain(double value) {
 }
 
 std::string rangeOf(const ParamInfo& info) {
+  if (info.file) return "a file or off";
   if (info.choices.empty()) return plain(info.minimum) + " .. " + plain(info.maximum);
   std::string words;
   for (const std::string& choice : info.choices) words += (words.empty() ? "" : "|") + choice;
@@ -39,15 +40,14 @@ void printTable(const ScanParams& params) {
 void printParamsAsJson(const ScanParams& params) {
   Json list = Json::array();
   for (const ParamInfo& info : paramRegistry()) {
-    const bool is_number = info.choices.empty();
     const auto value = [&](const ScanParams& from) {
-      return is_number ? Json::parse(info.text(from)) : Json(info.text(from));
+      return info.isNumber() ? Json::parse(info.text(from)) : Json(info.text(from));
     };
     Json entry = {
         {"key", info.key}, {"value", value(params)}, {"default", value(ScanParams{})}, {"unit", info.unit}};
-    if (is_number) {
+    if (info.isNumber()) {
       entry["range"] = {info.minimum, info.maximum};
-    } else {
+    } else if (!info.choices.empty()) {
       entry["choices"] = info.choices;
     }
     entry["help"] = info.help;

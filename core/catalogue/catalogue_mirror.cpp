@@ -160,7 +160,7 @@ void CatalogueMirror::add(const ObjectView& first_view) {
 }
 
 void CatalogueMirror::addView(const ObjectView& view) {
-  if (view.descriptor) detector_.add({0, view.object, view.size_m, *view.descriptor});
+  if (view.descriptor) detector_.add({0, view.object, view.size_m, *view.descriptor, {}});
   addSize(view.object, view.size_m);
   ++pending_views_[view.object];
   const auto found = records_.find(mergeRootOf(view.object));

@@ -1,19 +1,21 @@
 #pragma once
+#include <string>
 
 namespace scantrove {
 
 /// Recognition of candidates against the catalogue (thesis 5.2).
 struct DetectionParams {
-  /// Maximum distance of two thumbnails. The distance is the warped SSD of the normalised thumbnails relative
-  /// to their energy (0 = same, 2 = unrelated), plus the squared difference of mean Lab colours / 40.
-  /// Measured on crops of a real kitchen (36 objects, a view every 20 degrees): 0.5 recognises 46 % of single
-  /// views, 0.5 % wrongly. 0.6 recognises 54 %, 3 % wrongly. A wrong name costs more than none.
+  /// Maximum distance of an object, judged by the runners-up (matchDistance, relativeDistance): 0 = same
+  /// picture; unrelated objects differ by 0.7 and more. Single photographs of 41 things on tables, 3 views
+  /// each: 0.5 names 52 %, 2 % wrongly, and 5 % of the things that are unknown; 0.4 names 39 %, 1 % and 1 %.
+  /// A wrong name costs more than none, and several frames must agree.
   float max_distance = 0.5F;
-  int shortlist = 16;            ///< candidates left after pruning by principal components
-  float size_tolerance = 0.35F;  ///< maximum relative difference of the oriented boxes' diagonals
+  int shortlist = 16;            ///< views left after pruning by principal components
+  float size_tolerance = 0.35F;  ///< of guesses: maximum relative difference of the boxes' diagonals
   float new_view_angle_deg =
-      10;              ///< a view is stored if its direction differs this much from all stored ones
-  int max_views = 24;  ///< per object
+      10;                  ///< a view is stored if its direction differs this much from all stored ones
+  int max_views = 24;      ///< per object
+  std::string model = {};  ///< an ONNX file, see AppearanceNetwork; empty: none. Fixed for a scan.
 };
 
 }  // namespace scantrove

@@ -1,8 +1,12 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/appearance_network.h"
 #include "core/catalogue/detection_params.h"
 #include "core/catalogue/object_record.h"
 #include "core/catalogue/thumbnail_matcher.h"
@@ -20,27 +24,31 @@ struct DetectionQuery {
 };
 
 struct DetectionMatch {
-  ObjectId object;      ///< none: unknown
-  ObjectId nearest;     ///< the best match, accepted or not; none: no object has similar size and colour
-  float distance = 2;   ///< of the best view, warped SSD per element
-  ObjectId guess = {};  ///< best match of DetectionQuery::guesses; none: no match possible
-  float guess_distance = 2;
+  ObjectId object;             ///< none: unknown
+  ObjectId nearest;            ///< the best match, accepted or not; none: no object is similar at all
+  float distance = 2;          ///< of the nearest object, judged by the runners-up (relativeDistance)
+  ObjectId guess = {};         ///< best match of DetectionQuery::guesses; none: no match possible
+  float guess_distance = 2;    ///< of its best view (matchDistance), without the size
+  float nearest_distance = 2;  ///< of the nearest object's best view (matchDistance)
 };
 
 /// Nearest neighbour recognition over all views of the catalogue (thesis 5.2; Torralba et al. 2008): 32 x
 /// 32 Lab thumbnails normalised per channel, 19 principal components for pruning, SSD with warping and
-/// local shifts on the device. A view stays with the object that it was stored for; a table of merge roots
-/// tells the current owner, so merging and deleting move no views. One thread, the compute context's; all
-/// but create may throw cl::Error.
+/// local shifts on the device; beside them histograms of the colours, the size and, if the user gave one, a
+/// network (matchDistance). The nearest object must be nearer than its runners-up. A view stays with the
+/// object that it was stored for; a table of merge roots tells the current owner, so merging and deleting
+/// move no views. One thread, the compute context's; all but create may throw cl::Error.
 class Detector {
  public:
-  [[nodiscard]] static Result<Detector> create(ComputeContext& compute);
+  /// `network`: an ONNX file, see AppearanceNetwork; empty: none. Error: of the network or the device.
+  [[nodiscard]] static Result<Detector> create(ComputeContext& compute, const std::string& network = {});
 
   void setParams(const DetectionParams& params) { params_ = params; }
 
   /// Reserves room for so many views in total, which avoids repeated copying.
   void reserve(int views) { matcher_.reserve(views); }
-  /// Takes effect with the next find. About 4 KB per view, nearly all on the device.
+  /// Takes effect with the next find. About 5 KB per view, most of it on the device. A vector of another
+  /// network is ignored.
   void add(const StoredDescriptor& view);
   [[nodiscard]] int viewCount() const { return index_.size(); }
 
@@ -52,16 +60,34 @@ class Detector {
   /// driver's cache.
   void warmUp();
 
+  /// The descriptor of a new view. None: no colour or no object pixel.
+  [[nodiscard]] std::optional<ViewDescriptor> describe(const cv::Mat& color, const cv::Mat& mask);
+
   /// Compares all candidates of a frame in one batch; one match per query, in order, with the current owner
   /// of the best view.
   [[nodiscard]] std::vector<DetectionMatch> find(const std::vector<DetectionQuery>& queries);
 
  private:
+  /// A query, and the views that it is compared with.
+  struct Compared {
+    std::size_t query = 0;  // its index
+    ViewDescriptor descriptor;
+    std::vector<int> views, guessed_views;
+  };
+
   explicit Detector(ThumbnailMatcher matcher) : matcher_(std::move(matcher)) {}
+  [[nodiscard]] ViewDifference difference(const ViewIndex::Query& query, int view, float shape) const;
+  /// Fills the match, except for the guess. `shapes`: of the pairs with `views`; `objects`: countObjects().
+  void findNearest(const Compared& compared, const ViewIndex::Query& query, std::span<const float> shapes,
+                   int objects, DetectionMatch& match) const;
+  /// Fills the guess. `shapes`: of the pairs with `guessed_views`.
+  void findGuess(const Compared& compared, const ViewIndex::Query& query, std::span<const float> shapes,
+                 DetectionMatch& match) const;
 
   DetectionParams params_;
   ThumbnailMatcher matcher_;
   ViewIndex index_;
+  std::optional<AppearanceNetwork> network_;
 };
 
 }  // namespace scantrove

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/catalogue/thumbnail.h"
+#include "core/catalogue/view_descriptor.h"
 
 namespace scantrove {
 
@@ -30,8 +30,8 @@ struct ObjectView {
       Eigen::Vector3f::Zero();  ///< sides of the oriented box in this view, longest first; zero: unknown
   /// Centroid of the visible surface, in the session's world. Not set in views that are read.
   std::optional<Eigen::Vector3f> centroid_world;
-  /// Thumbnail of `color` and `mask`; computed when stored if not given. Not set in views that are read.
-  std::optional<Thumbnail> descriptor;
+  /// Of `color` and `mask`; computed when stored if not given. Not set in views that are read.
+  std::optional<ViewDescriptor> descriptor;
 };
 
 enum class NamedBy { program, user };
@@ -102,7 +102,7 @@ struct StoredDescriptor {
   std::int64_t view = 0;
   ObjectId first_object;  ///< the object that the view was stored for; see MergeRoot
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< as ObjectView::size_m
-  Thumbnail thumbnail;
+  ViewDescriptor descriptor;
   std::optional<ViewPlace> place = {};  ///< none: stored by an older version
 };
 

@@ -28,9 +28,17 @@ Coarse mirrored(const Coarse& coarse) {
   return result;
 }
 
-float colorDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+float energyOf(const Coarse& coarse) {
+  const int energy = std::inner_product(coarse.begin(), coarse.end(), coarse.begin(), 0);
+  return static_cast<float>(energy);
+}
+
+float meanColorDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return (a - b).squaredNorm() / (kColorUnit * kColorUnit);
 }
+
+/// |ln| of the ratio; 0: a size is unknown.
+float sizeDifference(float a, float b) { return a > 0 && b > 0 ? std::abs(std::log(a / b)) : 0; }
 
 /// A size of zero is unknown and agrees with all.
 bool sizesAgree(float a, float b, float tolerance) {
@@ -58,8 +66,23 @@ ObjectId ViewIndex::mergeRootOf(ObjectId object) const {
   return found == owners_.end() ? ObjectId{} : merge_roots_[found->second];
 }
 
-void ViewIndex::append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
-  views_.push_back({ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), {}});
+int ViewIndex::countObjects(int most) const {
+  std::vector<ObjectId> roots;
+  for (const View& view : views_) {
+    const ObjectId root = merge_roots_[view.owner];
+    if (root && std::ranges::find(roots, root) == roots.end()) roots.push_back(root);
+    if (std::ssize(roots) >= most) break;
+  }
+  return static_cast<int>(roots.size());
+}
+
+void ViewIndex::append(ObjectId first_object, const ViewDescriptor& descriptor,
+                       const Eigen::Vector3f& size_m) {
+  const Thumbnail& thumbnail = descriptor.thumbnail;
+  views_.push_back(
+      {ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), energyOf(thumbnail.coarse), {}});
+  colors_.push_back(descriptor.colors);
+  networks_.push_back(descriptor.network);
   coarse_.push_back(thumbnail.coarse);
   if (size() >= kEnoughViews && coarse_.size() >= kWaitingViews) updateComponents();
 }
@@ -91,43 +114,49 @@ ViewIndex::Coordinates ViewIndex::project(const Coarse& coarse) const {
   return coordinates;
 }
 
-std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) {
-  updateComponents();
-  const float diagonal_m = query.size_m.norm();
+std::vector<ViewIndex::Ranked> ViewIndex::rank(const Query& query) const {
+  const Thumbnail& thumbnail = query.descriptor.thumbnail;
+  const float diagonal_m = query.size_m.norm(), energy = energyOf(thumbnail.coarse);
   Coordinates straight, flipped;
-  const bool prune = !components_.eigenvectors.empty();
-  if (prune) {
-    straight = project(query.thumbnail.coarse);
-    flipped = project(mirrored(query.thumbnail.coarse));
+  const bool has_components = !components_.eigenvectors.empty();
+  if (has_components) {
+    straight = project(thumbnail.coarse);
+    flipped = project(mirrored(thumbnail.coarse));
   }
-  struct Ranked {
-    float distance;
-    int place;
-    bool operator<(const Ranked& other) const {
-      return distance < other.distance || (distance == other.distance && place < other.place);
-    }
-  };
   std::vector<Ranked> ranked;
+  ranked.reserve(views_.size());
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
-    const float color = colorDistance(query.thumbnail.mean_lab, view.mean_lab);
-    if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
-        !merge_roots_[view.owner])
-      continue;
-    const float distance =
-        prune ? static_cast<float>(std::min(cv::norm(straight, view.coordinates, cv::NORM_L2SQR),
-                                            cv::norm(flipped, view.coordinates, cv::NORM_L2SQR)))
-              : color;
-    ranked.push_back({distance, place});
+    if (!merge_roots_[view.owner]) continue;
+    ViewDifference probable{0, meanColorDistance(thumbnail.mean_lab, view.mean_lab), {}, 0, {}};
+    probable.size = sizeDifference(diagonal_m, view.diagonal_m);
+    if (has_components) {
+      const double ssd = std::min(cv::norm(straight, view.coordinates, cv::NORM_L2SQR),
+                                  cv::norm(flipped, view.coordinates, cv::NORM_L2SQR));
+      probable.shape = 2 * static_cast<float>(ssd) / std::max(energy + view.energy, 1.0F);
+    }
+    ranked.push_back({matchDistance(probable), place});
   }
-  if (prune && ranked.size() > static_cast<std::size_t>(std::max(limits.shortlist, 1))) {
-    const auto end = ranked.begin() + std::max(limits.shortlist, 1);
-    std::nth_element(ranked.begin(), end, ranked.end());
-    ranked.erase(end, ranked.end());
+  return ranked;
+}
+
+std::vector<int> ViewIndex::shortlist(const Query& query, int most) {
+  updateComponents();
+  std::vector<Ranked> ranked = rank(query);
+  const bool prune = !components_.eigenvectors.empty();
+  // A heap, because only a few of many views are taken; the nearest, then the first, is on top.
+  const auto isAfter = [](const Ranked& a, const Ranked& b) {
+    return a.distance > b.distance || (a.distance == b.distance && a.place > b.place);
+  };
+  std::ranges::make_heap(ranked, isAfter);
+  std::vector<int> places;
+  std::unordered_map<ObjectId, int> views_of;
+  while (!ranked.empty() && (!prune || std::ssize(places) < std::max(most, 1))) {
+    std::ranges::pop_heap(ranked, isAfter);
+    const int place = ranked.back().place;
+    ranked.pop_back();
+    if (!prune || ++views_of[mergeRootAt(place)] <= kViewsOfAnObject) places.push_back(place);
   }
-  std::ranges::sort(ranked, std::less<>());
-  std::vector<int> places(ranked.size());
-  std::ranges::transform(ranked, places.begin(), &Ranked::place);
   return places;
 }
 
@@ -141,14 +170,20 @@ std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> roots, const Query
     const bool fits = sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
                       isPartOf(diagonal_m, view.diagonal_m);
     if (fits && std::ranges::find(roots, merge_roots_[view.owner]) != roots.end() &&
-        colorDistance(query.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
+        meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
       places.push_back(place);
   }
   return places;
 }
 
-float ViewIndex::colorTerm(const Thumbnail& query, int place) const {
-  return colorDistance(query.mean_lab, views_[static_cast<std::size_t>(place)].mean_lab);
+ViewDifference ViewIndex::difference(const Query& query, int place) const {
+  const View& view = views_[static_cast<std::size_t>(place)];
+  const std::optional<ViewColors>& colors = colors_[static_cast<std::size_t>(place)];
+  ViewDifference difference;
+  difference.mean_color = meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab);
+  if (colors && query.descriptor.colors) difference.colors = colorDistance(*query.descriptor.colors, *colors);
+  difference.size = sizeDifference(query.size_m.norm(), view.diagonal_m);
+  return difference;
 }
 
 }  // namespace scantrove

@@ -2,36 +2,40 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/catalogue/match_distance.h"
 #include "core/catalogue/object_record.h"
-#include "core/catalogue/thumbnail.h"
+#include "core/catalogue/view_descriptor.h"
 
 namespace scantrove {
 
-/// Host data of all views, and pruning (thesis 5.2): selects the few views that may match a query by size,
-/// mean colour and 19 principal components of the views' 16 x 16 thumbnails. Views are identified by index,
-/// 0 .. size() - 1, as in ThumbnailMatcher. One thread.
+/// Host data of all views, and pruning (thesis 5.2): selects the few views worth a comparison by size, mean
+/// colour and 19 principal components of the views' 16 x 16 thumbnails. Views are identified by index, 0 ..
+/// size() - 1, as in ThumbnailMatcher. One thread.
 class ViewIndex {
  public:
   struct Query {
-    const Thumbnail& thumbnail;
+    const ViewDescriptor& descriptor;
     Eigen::Vector3f size_m;
   };
+  /// Of views that viewsOf() returns.
   struct Limits {
     float size_tolerance;  ///< as DetectionParams
-    float max_distance;    ///< a larger colour difference alone prunes
-    int shortlist;
+    float max_distance;    ///< maximum difference of mean colours
   };
   /// With fewer views components prune nothing: comparing all is faster than fitting them.
   static constexpr int kFewViews = 64;
+  /// Views of one object in a shortlist: the others must not crowd out the runners-up.
+  static constexpr int kViewsOfAnObject = 3;
 
   [[nodiscard]] int size() const { return static_cast<int>(views_.size()); }
   /// `first_object`: the object that the view was stored for.
-  void append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m);
+  void append(ObjectId first_object, const ViewDescriptor& descriptor, const Eigen::Vector3f& size_m);
 
   /// Views without an owner are never compared.
   void setMergeRoot(const MergeRoot& entry);
@@ -41,16 +45,23 @@ class ViewIndex {
     return merge_roots_[views_[static_cast<std::size_t>(place)].owner];
   }
 
-  /// Indices of views worth a comparison, nearest first; at most `shortlist` from kFewViews views on.
-  [[nodiscard]] std::vector<int> shortlist(const Query& query, const Limits& limits);
+  /// Number of objects with views, counted up to `most`.
+  [[nodiscard]] int countObjects(int most) const;
+
+  /// Indices of views worth a comparison, probably nearest first. From kFewViews views on at most `most`, and
+  /// kViewsOfAnObject of one object.
+  [[nodiscard]] std::vector<int> shortlist(const Query& query, int most);
 
   /// Indices of views owned by one of the `roots` with a similar colour, and from about the same to twice
   /// the size.
   [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> roots, const Query& query,
                                          const Limits& limits) const;
 
-  /// The part of a pair's distance that is due to mean colours.
-  [[nodiscard]] float colorTerm(const Thumbnail& query, int place) const;
+  /// All that differs between a query and a view but the shape and the network's vector.
+  [[nodiscard]] ViewDifference difference(const Query& query, int place) const;
+  [[nodiscard]] const std::optional<NetworkVector>& networkAt(int place) const {
+    return networks_[static_cast<std::size_t>(place)];
+  }
 
  private:
   using Coarse = decltype(Thumbnail::coarse);
@@ -59,13 +70,22 @@ class ViewIndex {
     std::uint32_t owner;                   // of merge_roots_
     Eigen::Vector3f mean_lab;
     float diagonal_m;
+    float energy;  // sum of squares of the 16 x 16 pixels
     Coordinates coordinates;
+  };
+  struct Ranked {
+    float distance;
+    int place;
   };
   [[nodiscard]] std::uint32_t ownerOf(ObjectId first_object);
   void updateComponents();
   [[nodiscard]] Coordinates project(const Coarse& coarse) const;
+  /// All views with an owner, with their probable distances, in order of place.
+  [[nodiscard]] std::vector<Ranked> rank(const Query& query) const;
 
   std::vector<View> views_;
+  std::vector<std::optional<ViewColors>> colors_;       // by view
+  std::vector<std::optional<NetworkVector>> networks_;  // by view
   std::unordered_map<ObjectId, std::uint32_t> owners_;  // by first object
   std::vector<ObjectId> merge_roots_;                   // by owner
   // 16 x 16 pixels of the newest views: of all while components may be fitted again, later of those without

@@ -12,14 +12,32 @@
 namespace scantrove {
 namespace {
 
+/// The bytes of an array of plain values.
+template <class Values>
+QByteArray toBlob(const Values& values) {
+  return {reinterpret_cast<const char*>(values.data()),
+          static_cast<qsizetype>(values.size() * sizeof(*values.data()))};
+}
+
+/// No bytes (not null) if there are none.
+QByteArray colorsBlob(const std::optional<ViewColors>& colors) {
+  return colors ? toBlob(colors->roots) : QByteArray("");
+}
+
 Result<void> storeImages(DatabaseConnection& connection, qlonglong view, const ViewSummary& summary) {
   if (summary.descriptor) {
-    const Thumbnail& thumbnail = *summary.descriptor;
-    const QByteArray fine(reinterpret_cast<const char*>(thumbnail.fine.data()),
-                          static_cast<qsizetype>(thumbnail.fine.size()));
-    SCANTROVE_TRY(connection.execute(
-        "INSERT OR REPLACE INTO descriptors (view, mean_l, mean_a, mean_b, fine) VALUES (?, ?, ?, ?, ?)",
-        {view, thumbnail.mean_lab.x(), thumbnail.mean_lab.y(), thumbnail.mean_lab.z(), fine}));
+    const ViewDescriptor& descriptor = *summary.descriptor;
+    const Thumbnail& thumbnail = descriptor.thumbnail;
+    SCANTROVE_TRY(
+        connection.execute("INSERT OR REPLACE INTO descriptors (view, mean_l, mean_a, mean_b, fine, colors)"
+                           " VALUES (?, ?, ?, ?, ?, ?)",
+                           {view, thumbnail.mean_lab.x(), thumbnail.mean_lab.y(), thumbnail.mean_lab.z(),
+                            toBlob(thumbnail.fine), colorsBlob(descriptor.colors)}));
+    if (descriptor.network) {
+      SCANTROVE_TRY(connection.execute(
+          "INSERT OR REPLACE INTO view_vectors (view, network, vector) VALUES (?, ?, ?)",
+          {view, QString::fromStdString(descriptor.network->network), toBlob(descriptor.network->values)}));
+    }
   }
   if (!summary.picture_jpeg.isEmpty()) {
     SCANTROVE_TRY(connection.execute("INSERT OR REPLACE INTO pictures (view, jpeg) VALUES (?, ?)",
@@ -76,6 +94,21 @@ Result<ObjectId> summarizeStoredView(DatabaseConnection& connection, std::int64_
                                    {summary.object_pixels, view_id}));
   SCANTROVE_TRY(storeImages(connection, view_id, summary));
   return view.object;
+}
+
+Result<void> storeColors(DatabaseConnection& connection, std::int64_t id) {
+  const auto view_id = static_cast<qlonglong>(id);
+  Result<QSqlQuery> query = connection.execute("SELECT color, mask FROM views WHERE id = ?", {view_id});
+  if (!query) return fail(query.error());
+  ObjectView view;
+  if (query->next()) {
+    view.color = decodedImage(query->value(0).toByteArray());
+    view.mask = decodedImage(query->value(1).toByteArray());
+  }
+  const auto colors = flawOf(view).empty() ? describeColors(view.color, view.mask) : std::nullopt;
+  SCANTROVE_TRY(
+      connection.execute("UPDATE descriptors SET colors = ? WHERE view = ?", {colorsBlob(colors), view_id}));
+  return {};
 }
 
 Result<void> refreshObject(DatabaseConnection& connection, ObjectId object) {

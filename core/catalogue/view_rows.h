@@ -19,6 +19,10 @@ class DatabaseConnection;
 /// transaction. Returns the object that has the view.
 [[nodiscard]] Result<ObjectId> summarizeStoredView(DatabaseConnection& connection, std::int64_t view);
 
+/// Reads one view's images and stores the histogram of their colours; no bytes if they are unusable. Inside
+/// the caller's transaction.
+[[nodiscard]] Result<void> storeColors(DatabaseConnection& connection, std::int64_t view);
+
 /// Updates size and best view of an object from its current views.
 [[nodiscard]] Result<void> refreshObject(DatabaseConnection& connection, ObjectId object);
 

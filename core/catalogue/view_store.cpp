@@ -3,6 +3,8 @@
 #include <QStringList>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <set>
@@ -120,6 +122,47 @@ Result<void> summarizeOlderViews(DatabaseConnection& connection) {
   }
 }
 
+Result<void> storeColorsOf(DatabaseConnection& connection, const std::vector<std::int64_t>& views) {
+  return inTransaction(connection, [&]() -> Result<void> {
+    for (const std::int64_t view : views) SCANTROVE_TRY(storeColors(connection, view));
+    return {};
+  });
+}
+
+/// Computes the colours of views that an older version described.
+Result<void> describeOlderColors(DatabaseConnection& connection) {
+  for (;;) {
+    Result<QSqlQuery> query = connection.execute(
+        "SELECT view FROM descriptors WHERE colors IS NULL ORDER BY view LIMIT ?", {kViewsOfATransaction});
+    if (!query) return fail(query.error());
+    std::vector<std::int64_t> views;
+    while (query->next()) views.push_back(query->value(0).toLongLong());
+    if (views.empty()) return {};
+    SCANTROVE_TRY(storeColorsOf(connection, views));
+  }
+}
+
+/// None: the view has no colours.
+std::optional<ViewColors> readColors(const QSqlQuery& query, int column) {
+  const QByteArray roots = query.value(column).toByteArray();
+  if (roots.size() != static_cast<qsizetype>(ViewColors::kBins)) return std::nullopt;
+  ViewColors colors;
+  std::ranges::transform(roots, colors.roots.begin(),
+                         [](char root) { return static_cast<std::uint8_t>(root); });
+  return colors;
+}
+
+/// A network's hash and vector from two columns. None: the view has no vector.
+std::optional<NetworkVector> readVector(const QSqlQuery& query, int column) {
+  const QByteArray bytes = query.value(column + 1).toByteArray();
+  if (bytes.isEmpty() || bytes.size() % static_cast<qsizetype>(sizeof(float)) != 0) return std::nullopt;
+  NetworkVector vector{query.value(column).toString().toStdString(), {}};
+  vector.values.resize(static_cast<std::size_t>(bytes.size()) / sizeof(float));
+  std::memcpy(vector.values.data(), bytes.constData(), static_cast<std::size_t>(bytes.size()));
+  const bool is_finite = std::ranges::all_of(vector.values, [](float value) { return std::isfinite(value); });
+  return is_finite ? std::optional(std::move(vector)) : std::nullopt;
+}
+
 /// False: the row is unusable.
 bool readThumbnail(const QSqlQuery& query, int column, Thumbnail& thumbnail) {
   for (int i = 0; i < 3; ++i) thumbnail.mean_lab[i] = query.value(column + i).toFloat();
@@ -206,26 +249,30 @@ Result<std::int64_t> ViewStore::insert(ObjectView view) {
 Result<std::int64_t> ViewStore::forEachDescriptor(std::int64_t after,
                                                   const std::function<void(const StoredDescriptor&)>& visit) {
   SCANTROVE_TRY(summarizeOlderViews(connection_));
+  SCANTROVE_TRY(describeOlderColors(connection_));
   Result<QSqlQuery> query = connection_.execute(
       "SELECT d.view, s.first_object, s.size_x_m, s.size_y_m, s.size_z_m, d.mean_l, d.mean_a, d.mean_b,"
-      " d.fine, s.session, s.place_x_m, s.place_y_m, s.place_z_m"
-      " FROM descriptors d JOIN view_summaries s ON s.view = d.view WHERE d.view > ? ORDER BY d.view",
+      " d.fine, s.session, s.place_x_m, s.place_y_m, s.place_z_m, d.colors, n.network, n.vector"
+      " FROM descriptors d JOIN view_summaries s ON s.view = d.view"
+      " LEFT JOIN view_vectors n ON n.view = d.view WHERE d.view > ? ORDER BY d.view",
       {static_cast<qlonglong>(after)});
   if (!query) return fail(query.error());
-  StoredDescriptor descriptor;
-  descriptor.view = after;
+  StoredDescriptor stored;
+  stored.view = after;
   while (query->next()) {
-    descriptor.view = query->value(0).toLongLong();
-    descriptor.first_object = ObjectId{query->value(1).toUInt()};
-    for (int i = 0; i < 3; ++i) descriptor.size_m[i] = query->value(2 + i).toFloat();
-    descriptor.place = readPlace(*query, 9);
-    if (readThumbnail(*query, 5, descriptor.thumbnail)) {
-      visit(descriptor);
+    stored.view = query->value(0).toLongLong();
+    stored.first_object = ObjectId{query->value(1).toUInt()};
+    for (int i = 0; i < 3; ++i) stored.size_m[i] = query->value(2 + i).toFloat();
+    stored.place = readPlace(*query, 9);
+    stored.descriptor.colors = readColors(*query, 13);
+    stored.descriptor.network = readVector(*query, 14);
+    if (readThumbnail(*query, 5, stored.descriptor.thumbnail)) {
+      visit(stored);
     } else {
-      warnOfView(connection_, descriptor.view, descriptor.first_object, "its descriptor is damaged");
+      warnOfView(connection_, stored.view, stored.first_object, "its descriptor is damaged");
     }
   }
-  return descriptor.view;
+  return stored.view;
 }
 
 Result<int> ViewStore::count() {

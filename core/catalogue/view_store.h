@@ -11,8 +11,8 @@ namespace scantrove {
 
 class DatabaseConnection;
 
-/// The views of a catalogue (tables `views`, `view_summaries`, `descriptors`, `pictures`). Unusable rows
-/// are skipped and named in the log.
+/// The views of a catalogue (tables `views`, `view_summaries`, `descriptors`, `view_vectors`, `pictures`).
+/// Unusable rows are skipped and named in the log.
 class ViewStore {
  public:
   explicit ViewStore(DatabaseConnection& connection) : connection_(connection) {}

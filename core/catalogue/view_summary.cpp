@@ -35,7 +35,7 @@ std::string flawOf(const ObjectView& view) {
 ViewSummary summarize(const ObjectView& view) {
   ViewSummary summary;
   if (!view.mask.empty()) summary.object_pixels = cv::countNonZero(view.mask);
-  summary.descriptor = view.descriptor ? view.descriptor : makeThumbnail(view.color, view.mask);
+  summary.descriptor = view.descriptor ? view.descriptor : describeView(view.color, view.mask);
   summary.picture_jpeg = toJpeg(listPicture(view.color, view.mask));
   return summary;
 }

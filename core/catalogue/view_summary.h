@@ -11,7 +11,7 @@ namespace scantrove {
 /// Values computed once from a view's images.
 struct ViewSummary {
   int object_pixels = 0;  ///< area of the mask
-  std::optional<Thumbnail> descriptor;
+  std::optional<ViewDescriptor> descriptor;
   QByteArray picture_jpeg;  ///< see listPicture; no bytes when the view has no colour
 };
 

@@ -61,7 +61,7 @@ Result<std::unique_ptr<ObjectCollector>> ObjectCollector::create(ComputeContext&
                                                                  CatalogueWriter::Options writer,
                                                                  const DetectionParams& params,
                                                                  std::span<const std::uint32_t> memory) {
-  Result<Detector> detector = Detector::create(compute);
+  Result<Detector> detector = Detector::create(compute, params.model);
   if (!detector) return fail(detector.error());
   CatalogueMirror catalogue(std::move(*detector));
   std::optional<CollectorState> known = collectorStateFrom(memory);

@@ -7,9 +7,9 @@
 namespace scantrove {
 namespace {
 
-/// Distance up to which an appeared candidate is a missing object: unrelated objects of one size differ by
-/// 1 and more. If no other object is missing, less similarity is enough, because objects are moved more
-/// often than exchanged for similar ones.
+/// Distance (matchDistance) up to which an appeared candidate is a missing object: unrelated objects of one
+/// size differ by 0.7 and more, most by 1. If no other object is missing, less similarity is enough, because
+/// objects are moved more often than exchanged for similar ones.
 constexpr float kReturnedDistance = 1.0F;
 constexpr float kOnlyOneReturnedDistance = 1.5F;
 /// Frames of an appeared object that are compared with objects found missing later.
@@ -69,7 +69,7 @@ void Recognizer::lookUp(std::vector<const Candidate*> unidentified, const Observ
 }
 
 DetectionMatch Recognizer::matchMissing(DetectionMatch match, std::size_t missing) {
-  const bool is_most_like = missing == 1 || match.guess_distance <= match.distance;
+  const bool is_most_like = missing == 1 || match.guess_distance <= match.nearest_distance;
   if (isReturned(match, missing) && is_most_like) {
     match.object = match.guess;
     state_.returned.insert(match.guess);

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "core/catalogue/thumbnail.h"
 #include "core/collection/candidate_crop.h"
 #include "core/image/sharpness.h"
 
@@ -156,7 +155,7 @@ std::optional<ObjectView> ViewKeeper::viewOf(const Candidate& candidate,
                                              const ObservedFrame& observed) const {
   if (!observed.hasColor()) return std::nullopt;
   std::optional<ObjectView> view = observed.cropView(candidate);
-  if (view) view->descriptor = makeThumbnail(view->color, view->mask);
+  if (view) view->descriptor = catalogue_.detector().describe(view->color, view->mask);
   return view;
 }
 

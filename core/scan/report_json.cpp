@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 Json paramsToJson(const ScanParams& params) {
   Json json = Json::object();
   for (const ParamInfo& info : paramRegistry()) {
-    json[info.key] = info.choices.empty() ? Json::parse(info.text(params)) : Json(info.text(params));
+    json[info.key] = info.isNumber() ? Json::parse(info.text(params)) : Json(info.text(params));
   }
   return json;
 }

@@ -17,6 +17,8 @@
 namespace scantrove {
 namespace {
 
+constexpr const char* kNoFile = "off";
+
 template <class Group, class Value>
 ParamInfo number(std::string key, Group ScanParams::*group, Value Group::*member, std::string unit,
                  double minimum, double maximum, std::string help) {
@@ -26,6 +28,7 @@ ParamInfo number(std::string key, Group ScanParams::*group, Value Group::*member
                  maximum,
                  std::is_integral_v<Value>,
                  std::move(help),
+                 {},
                  {},
                  {},
                  {}};
@@ -39,11 +42,20 @@ template <class Group, class Value>
 ParamInfo choice(std::string key, Group ScanParams::*group, Value Group::*member,
                  std::vector<std::string> choices, std::string help) {
   const auto last = static_cast<double>(choices.size() - 1);
-  ParamInfo info{std::move(key), "", 0, last, true, std::move(help), std::move(choices), {}, {}};
+  ParamInfo info{std::move(key), "", 0, last, true, std::move(help), std::move(choices), {}, {}, {}};
   info.get = [=](const ScanParams& params) { return static_cast<double>(params.*group.*member); };
   info.set = [=](ScanParams& params, double value) {
     params.*group.*member = static_cast<Value>(static_cast<int>(value));
   };
+  return info;
+}
+
+template <class Group>
+ParamInfo fileName(std::string key, Group ScanParams::*group, std::string Group::*member, std::string help) {
+  ParamInfo info{std::move(key), "", 0, 0, false, std::move(help), {}, {}, {}, {}};
+  info.get = [](const ScanParams&) { return 0.0; };
+  info.set = [](ScanParams&, double) {};
+  info.file = [=](ScanParams& params) -> std::string& { return params.*group.*member; };
   return info;
 }
 
@@ -79,6 +91,8 @@ std::vector<ParamInfo> makeRegistry() {
       number("detection.max_distance", c, &C::max_distance, "", 0, 2,
              "below: recognised (0 = same picture, 2 = unrelated)"),
       number("detection.max_views", c, &C::max_views, "views", 1, 1000, "views stored per object"),
+      fileName("recognition.model", c, &C::model,
+               "an ONNX network that also compares objects; FILE.json beside it"),
   };
 }
 
@@ -145,7 +159,24 @@ Result<void> setNumber(ScanParams& params, const ParamInfo& info, double value) 
   return {};
 }
 
+Result<void> setFile(ScanParams& params, const ParamInfo& info, const std::string& text) {
+  if (text == kNoFile) {
+    info.file(params).clear();
+    return {};
+  }
+  const bool is_in_line = std::ranges::none_of(text, [](char c) { return c >= 0 && c < ' '; });
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::absolute(text, error);
+  if (text.empty() || !is_in_line || error) {
+    return fail("'" + text + "' of '" + info.key + "' is no file.",
+                "Name a file, or write " + info.key + "=" + kNoFile + ".");
+  }
+  info.file(params) = path.lexically_normal().string();
+  return {};
+}
+
 Result<void> setText(ScanParams& params, const ParamInfo& info, const std::string& text) {
+  if (info.file) return setFile(params, info, text);
   if (!info.choices.empty()) {
     const auto found = std::find(info.choices.begin(), info.choices.end(), text);
     if (found != info.choices.end()) {
@@ -167,6 +198,7 @@ Result<void> setText(ScanParams& params, const ParamInfo& info, const std::strin
 }
 
 Result<void> setFromToml(ScanParams& params, const ParamInfo& info, const toml::node& node) {
+  if (info.file && !node.is_string()) return fail("The parameter '" + info.key + "' is no text.");
   if (const auto text = node.value_exact<std::string>()) return setText(params, info, *text);
   if (const auto flag = node.value_exact<bool>()) return setText(params, info, *flag ? "true" : "false");
   if (const auto value = node.value<double>()) {
@@ -203,6 +235,10 @@ bool hasDeepKey(std::string_view text) {
 }  // namespace
 
 std::string ParamInfo::text(const ScanParams& params) const {
+  if (file) {
+    ScanParams copy = params;
+    return file(copy).empty() ? kNoFile : file(copy);
+  }
   const double value = get(params);
   return choices.empty() ? plain(value) : choices[static_cast<std::size_t>(value)];
 }

@@ -18,10 +18,13 @@ struct ParamInfo {
   bool is_integer = false;                       ///< only whole numbers
   std::string help;                              ///< one line
   std::vector<std::string> choices;              ///< non-empty: the value is one of these words
-  std::function<double(const ScanParams&)> get;  ///< choices: the index of the word
+  std::function<double(const ScanParams&)> get;  ///< choices: the index of the word; of a file 0
   std::function<void(ScanParams&, double)> set;
+  /// Only of a parameter that names a file; empty: none. `get` and `set` do nothing then.
+  std::function<std::string&(ScanParams&)> file = {};
 
-  /// The value as it would be written in a configuration file.
+  [[nodiscard]] bool isNumber() const { return choices.empty() && !file; }
+  /// The value as it would be written in a configuration file; "off": no file.
   [[nodiscard]] std::string text(const ScanParams& params) const;
 };
 
@@ -30,7 +33,7 @@ struct ParamInfo {
 [[nodiscard]] const std::vector<ParamInfo>& paramRegistry();
 
 /// Applies "key=value". Error: unknown key (suggests similar ones), not a number (or not an integer where
-/// required), outside its range.
+/// required), outside its range. A file becomes an absolute path, so that a session finds it again.
 [[nodiscard]] Result<void> applySetting(ScanParams& params, const std::string& setting);
 
 /// Applies a TOML file of tables [fusion], [segmentation], ... Error: names file, line and key.

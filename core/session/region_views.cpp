@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/catalogue/thumbnail.h"
+#include "core/catalogue/view_descriptor.h"
 #include "core/collection/candidate_crop.h"
 #include "core/discovery/region_candidate.h"
 #include "core/fusion/color_projection.h"
@@ -73,7 +73,7 @@ Result<std::optional<ObjectView>> cropFrom(OpenSession& session, const Showing& 
   if (!seen) return std::nullopt;
   const SurfaceInColor in_color = locateInColor(frame->color_camera, *view);
   std::optional<ObjectView> cut = cropView(*frame, view->T_world_camera, in_color, *seen);
-  if (cut) cut->descriptor = makeThumbnail(cut->color, cut->mask);
+  if (cut) cut->descriptor = describeView(cut->color, cut->mask);
   return cut;
 }
 

@@ -3,7 +3,7 @@
 #  * opencv_highgui and vtkGUISupportQt link Qt 5 and are never linked (a test asserts it).
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d video rgbd ximgproc)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d video dnn rgbd ximgproc)
 find_package(spdlog REQUIRED)
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Sql Gui Widgets Svg)
 find_package(VTK 9.1 REQUIRED COMPONENTS

@@ -70,12 +70,13 @@ void fill(const fs::path& file, int views) {
             " size_z_m FROM n JOIN view_summaries s ON s.view = 1 + n.i % 10")
                .c_str(),
            11, others);
-  copyRows(*connection,
-           (numbers + "INSERT INTO descriptors (view, mean_l, mean_a, mean_b, fine) SELECT n.i, mean_l, "
-                      "mean_a, mean_b, fine FROM n"
-                      " JOIN descriptors d ON d.view = 1 + n.i % 10")
-               .c_str(),
-           11, others);
+  copyRows(
+      *connection,
+      (numbers + "INSERT INTO descriptors (view, mean_l, mean_a, mean_b, fine, colors) SELECT n.i, mean_l, "
+                 "mean_a, mean_b, fine, colors FROM n"
+                 " JOIN descriptors d ON d.view = 1 + n.i % 10")
+          .c_str(),
+      11, others);
   copyRows(
       *connection,
       (numbers +

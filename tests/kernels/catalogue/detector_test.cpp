@@ -47,7 +47,7 @@ class DetectorTest : public testing::Test {
   void addObject(int seed) {
     const ObjectImage image(seed, {90, 70}, 0);
     const ObjectId object{static_cast<std::uint32_t>(seed + 1)};
-    detector_->add({seed + 1, object, kSize, makeThumbnail(image.color, image.mask).value()});
+    detector_->add({seed + 1, object, kSize, describeView(image.color, image.mask).value(), {}});
     detector_->setMergeRoot({object, object});
   }
   std::uint32_t find(const DetectionQuery& query) { return detector_->find({query})[0].object.value; }
@@ -141,7 +141,8 @@ TEST_F(DetectorTest, NamesTheNearestObject_WhenNoneMatches) {
   const DetectionMatch match = detector_->find({worn.query()})[0];
   EXPECT_FALSE(match.object);
   EXPECT_EQ(match.nearest, ObjectId{1});
-  EXPECT_FALSE(detector_->find({worn.query(3 * kSize)})[0].nearest) << "no object is this large";
+  EXPECT_GT(detector_->find({worn.query(3 * kSize)})[0].nearest_distance, match.nearest_distance)
+      << "no object is this large";
 }
 
 TEST_F(DetectorTest, MatchesAGuess_WhenOnlyHalfOfTheObjectIsKnown) {
@@ -152,7 +153,7 @@ TEST_F(DetectorTest, MatchesAGuess_WhenOnlyHalfOfTheObjectIsKnown) {
   const DetectionMatch match = detector_->find({half})[0];
   EXPECT_EQ(match.guess, ObjectId{2});
   EXPECT_LT(match.guess_distance, 0.15F);
-  EXPECT_FALSE(match.nearest) << "no object is this small";
+  EXPECT_GT(match.nearest_distance, match.guess_distance) << "no object is this small";
   half.size_m = 0.4F * kSize;
   EXPECT_FALSE(detector_->find({half})[0].guess) << "less than half";
   half.size_m = 1.6F * kSize;
@@ -177,6 +178,63 @@ TEST_F(DetectorTest, FindsNothing_WithoutColorOrMask) {
       detector_->find({{cv::Mat(), image.mask, kSize}, image.query()});
   EXPECT_FALSE(matches[0].object);
   EXPECT_EQ(matches[1].object.value, 1U);
+}
+
+/// A view with the pixels of the picture in another order: the shape differs, the colours do not.
+ObjectImage shuffled(int seed, const cv::Size& size, int scene) {
+  ObjectImage image(seed, size, scene);
+  image.mask.setTo(255);
+  cv::RNG random(static_cast<std::uint64_t>(scene) + 7);
+  cv::randShuffle(image.color, 2, &random);
+  return image;
+}
+
+TEST_F(DetectorTest, PrefersTheSameColors_WhenNoShapeMatches) {
+  std::vector<ViewDescriptor> views;
+  for (int seed = 0; seed < 12; ++seed) {
+    const ObjectImage image = shuffled(seed, {40, 40}, 0);
+    views.push_back(describeView(image.color, image.mask).value());
+    const ObjectId object{static_cast<std::uint32_t>(seed + 1)};
+    detector_->add({seed + 1, object, kSize, views.back(), {}});
+    detector_->setMergeRoot({object, object});
+  }
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    const DetectionMatch match = detector_->find({shuffled(static_cast<int>(seed), {40, 40}, 99).query()})[0];
+    EXPECT_EQ(match.nearest.value, seed + 1);
+  }
+}
+
+TEST_F(DetectorTest, ComparesByThumbnailAlone_WhenAViewHasNoColors) {
+  const ObjectImage image(0, {90, 70}, 0);
+  ViewDescriptor old = describeView(image.color, image.mask).value();
+  old.colors.reset();
+  detector_->add({1, ObjectId{1}, kSize, old, {}});
+  detector_->setMergeRoot({ObjectId{1}, ObjectId{1}});
+  EXPECT_EQ(find(ObjectImage(0, {61, 50}, 1).query()), 1U);
+  EXPECT_EQ(find(ObjectImage(1, {61, 50}, 1).query()), 0U);
+}
+
+// The distance of the nearest is the same, but five others are as near.
+TEST_F(DetectorTest, IsLessSure_WhenManyObjectsLookAlike) {
+  for (int seed = 0; seed < 10; ++seed) addObject(seed);
+  ObjectImage worn(0, {90, 70}, 1);
+  cv::addWeighted(worn.color, 0.8, ObjectImage(20, {90, 70}, 1).color, 0.2, 0, worn.color);
+  const DetectionMatch alone = detector_->find({worn.query()})[0];
+  EXPECT_EQ(alone.nearest, ObjectId{1});
+  const ObjectImage image(0, {90, 70}, 0);
+  for (std::uint32_t copy = 100; copy < 105; ++copy) {
+    detector_->add({copy, ObjectId{copy}, kSize, describeView(image.color, image.mask).value(), {}});
+    detector_->setMergeRoot({ObjectId{copy}, ObjectId{copy}});
+  }
+  const DetectionMatch among = detector_->find({worn.query()})[0];
+  EXPECT_EQ(among.nearest_distance, alone.nearest_distance);
+  EXPECT_GT(among.distance, 1.5F * alone.distance);
+}
+
+TEST_F(DetectorTest, NamesTheNetwork_WhenItCannotBeRead) {
+  const Result<Detector> detector = Detector::create(*compute_, "/nowhere/net.onnx");
+  ASSERT_FALSE(detector);
+  EXPECT_NE(detector.error().message().find("/nowhere/net.onnx"), std::string::npos);
 }
 
 TEST_F(DetectorTest, FindsNothing_WhenTheMaximumDistanceIsZero) {

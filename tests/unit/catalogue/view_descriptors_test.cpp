@@ -20,16 +20,19 @@ class ViewDescriptorsTest : public CatalogueTest {
     return found;
   }
   static void expectDescribes(const StoredDescriptor& stored, const ObjectView& view) {
-    const std::optional<Thumbnail> expected = makeThumbnail(view.color, view.mask);
-    ASSERT_TRUE(expected);
-    EXPECT_EQ(stored.thumbnail.fine, expected->fine);
-    EXPECT_EQ(stored.thumbnail.coarse, expected->coarse);
-    EXPECT_EQ(stored.thumbnail.mean_lab, expected->mean_lab);
+    const std::optional<ViewDescriptor> expected = describeView(view.color, view.mask);
+    ASSERT_TRUE(expected && expected->colors);
+    EXPECT_EQ(stored.descriptor.thumbnail.fine, expected->thumbnail.fine);
+    EXPECT_EQ(stored.descriptor.thumbnail.coarse, expected->thumbnail.coarse);
+    EXPECT_EQ(stored.descriptor.thumbnail.mean_lab, expected->thumbnail.mean_lab);
+    ASSERT_TRUE(stored.descriptor.colors);
+    EXPECT_EQ(stored.descriptor.colors->roots, expected->colors->roots);
     EXPECT_EQ(stored.size_m, view.size_m);
   }
   /// Changes the catalogue's schema back to version 1.
   void downgrade() const {
-    for (const char* sql : {"DROP TABLE identity",
+    for (const char* sql : {"DROP TABLE view_vectors",
+                            "DROP TABLE identity",
                             "DROP TABLE applied_edits",
                             "DROP TABLE view_summaries",
                             "DROP TABLE descriptors",
@@ -102,7 +105,7 @@ TEST_F(ViewDescriptorsTest, KeepTheirFirstObject_WhenItIsMerged) {
 TEST_F(ViewDescriptorsTest, AreTheCallers_WhenGiven) {
   const auto database = openOrFail(file());
   ObjectView view = randomView(0);
-  view.descriptor = makeThumbnail(randomView(5).color, randomView(5).mask);
+  view.descriptor = describeView(randomView(5).color, randomView(5).mask);
   EXPECT_TRUE(database->addObject(view));
   expectDescribes(descriptorsOf(*database)[0], randomView(5));
 }
@@ -138,6 +141,71 @@ TEST_F(ViewDescriptorsTest, AreComputed_WhenTheCatalogueIsOfVersionOne) {
   EXPECT_EQ(database->object(ObjectId{3})->named_by, NamedBy::program);
   EXPECT_EQ(database->object(ObjectId{1})->size_m, randomView(0).size_m);
   EXPECT_TRUE(database->views().of(ObjectId{1})->front().frame_px.empty()) << "version 1 stored no box";
+}
+
+/// Changes the catalogue's schema back to version 7, which had no colours.
+void forgetColors(const std::string& file) {
+  for (const char* sql : {"DROP TABLE view_vectors", "DROP INDEX descriptors_without_colors",
+                          "ALTER TABLE descriptors DROP COLUMN colors",
+                          "DELETE FROM schema_migrations WHERE version > 7", "PRAGMA user_version = 7"})
+    askSqlite(file, sql);
+}
+
+TEST_F(ViewDescriptorsTest, GetTheirColors_WhenTheCatalogueIsOfVersionSeven) {
+  {
+    const auto database = openOrFail(file());
+    for (int i = 0; i < 130; ++i) EXPECT_TRUE(database->addObject(randomView(i)));
+  }
+  forgetColors(file());
+  const auto database = openOrFail(file());
+  ASSERT_NE(database, nullptr);
+  const std::vector<StoredDescriptor> all = descriptorsOf(*database);
+  ASSERT_EQ(all.size(), 130U);
+  for (int i = 0; i < 130; ++i) expectDescribes(all[static_cast<std::size_t>(i)], randomView(i));
+  EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM descriptors WHERE length(colors) = 605"), "130");
+}
+
+TEST_F(ViewDescriptorsTest, HaveNoColors_WhenTheStoredImagesAreUnusable) {
+  {
+    const auto database = openOrFail(file());
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(database->addObject(randomView(i)));
+  }
+  forgetColors(file());
+  askSqlite(file(), "UPDATE views SET mask = x'00' WHERE id = 2");
+  const auto database = openOrFail(file());
+  ASSERT_NE(database, nullptr);
+  for (int reading = 0; reading < 2; ++reading) {
+    const std::vector<StoredDescriptor> all = descriptorsOf(*database);
+    ASSERT_EQ(all.size(), 3U) << "the thumbnail remains";
+    expectDescribes(all[0], randomView(0));
+    EXPECT_FALSE(all[1].descriptor.colors);
+    EXPECT_EQ(all[1].descriptor.thumbnail.fine, makeThumbnail(randomView(1).color, randomView(1).mask)->fine);
+    expectDescribes(all[2], randomView(2));
+  }
+  EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM descriptors WHERE colors IS NULL"), "0")
+      << "it is not tried again";
+}
+
+TEST_F(ViewDescriptorsTest, KeepTheVectorOfANetwork) {
+  const auto database = openOrFail(file());
+  ObjectView view = randomView(0);
+  view.descriptor = describeView(view.color, view.mask);
+  view.descriptor->network = NetworkVector{"a1b2", {0.6F, -0.8F}};
+  EXPECT_TRUE(database->addObject(view));
+  EXPECT_TRUE(database->addObject(randomView(1)));
+  std::vector<StoredDescriptor> all = descriptorsOf(*database);
+  ASSERT_EQ(all.size(), 2U);
+  ASSERT_TRUE(all[0].descriptor.network);
+  EXPECT_EQ(all[0].descriptor.network->network, "a1b2");
+  EXPECT_EQ(all[0].descriptor.network->values, (std::vector<float>{0.6F, -0.8F}));
+  EXPECT_FALSE(all[1].descriptor.network);
+  for (const char* damage :
+       {"vector = x'0102'", "vector = x''", "vector = x'0000C07F'"}) {  // the last is NaN
+    askSqlite(file(), QString("UPDATE view_vectors SET %1").arg(damage));
+    all = descriptorsOf(*database);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_FALSE(all[0].descriptor.network) << damage;
+  }
 }
 
 TEST(ListPicture, IsSmallAndDimsTheBackground) {

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <random>
 
 namespace scantrove {
 namespace {
 
-constexpr ViewIndex::Limits kLimits{0.35F, 0.5F, 16};
+constexpr int kShortlist = 16;
 
 /// A smooth random picture, different for each seed.
 Thumbnail picture(unsigned seed) {
@@ -38,34 +40,76 @@ class ViewIndexTest : public testing::Test {
   void append(unsigned seed) {
     const ObjectId object{seed / 2 + 1};
     index_.setMergeRoot({object, object});
-    index_.append(object, picture(seed), size(seed));
+    index_.append(object, {picture(seed)}, size(seed));
   }
   std::vector<int> shortlist(unsigned seed) {
-    const Thumbnail thumbnail = picture(seed);
-    return index_.shortlist({thumbnail, size(seed)}, kLimits);
+    const ViewDescriptor descriptor{picture(seed)};
+    return index_.shortlist({descriptor, size(seed)}, kShortlist);
   }
   ViewIndex index_;
 };
 
-// Expected by definition: size and colour agree, and the view's object is visible.
-TEST_F(ViewIndexTest, ReturnsAllViewsOfSimilarSizeAndColor_WhenTheyAreFew) {
+TEST_F(ViewIndexTest, ReturnsAllViewsWithAnOwner_WhenTheyAreFew) {
   constexpr unsigned kViews = ViewIndex::kFewViews - 1;
   for (unsigned seed = 0; seed < kViews; ++seed) append(seed);
   index_.setMergeRoot({ObjectId{4}, {}});
-  for (unsigned query = 0; query < 40; ++query) {
-    std::vector<int> expected;
-    for (unsigned view = 0; view < kViews; ++view) {
-      const float color = (picture(query).mean_lab - picture(view).mean_lab).squaredNorm() / (40 * 40);
-      const float a = size(query).norm(), b = size(view).norm();
-      if (color < kLimits.max_distance && std::abs(a - b) <= kLimits.size_tolerance * std::max(a, b) &&
-          view / 2 + 1 != 4) {
-        expected.push_back(static_cast<int>(view));
-      }
-    }
-    std::vector<int> found = shortlist(query);
-    std::ranges::sort(found);
-    EXPECT_EQ(found, expected) << "query " << query;
+  std::vector<int> expected;
+  for (unsigned view = 0; view < kViews; ++view) {
+    if (view / 2 + 1 != 4) expected.push_back(static_cast<int>(view));
   }
+  std::vector<int> found = shortlist(20);
+  std::ranges::sort(found);
+  EXPECT_EQ(found, expected);
+}
+
+TEST_F(ViewIndexTest, CountsObjectsWithViews) {
+  EXPECT_EQ(index_.countObjects(10), 0);
+  for (unsigned seed = 0; seed < 8; ++seed) append(seed);
+  EXPECT_EQ(index_.countObjects(10), 4);
+  EXPECT_EQ(index_.countObjects(3), 3);
+  index_.setMergeRoot({ObjectId{4}, ObjectId{1}});
+  EXPECT_EQ(index_.countObjects(10), 3) << "two are merged";
+  index_.setMergeRoot({ObjectId{2}, {}});
+  EXPECT_EQ(index_.countObjects(10), 2) << "one is deleted";
+}
+
+TEST_F(ViewIndexTest, ReturnsSeveralObjects_WhenOneHasManyViews) {
+  for (unsigned seed = 0; seed < 100; ++seed) append(seed);
+  for (int copy = 0; copy < 40; ++copy) index_.append(ObjectId{11}, {picture(20)}, size(20));
+  const std::vector<int> views = shortlist(20);
+  EXPECT_EQ(std::ssize(views), kShortlist);
+  std::map<ObjectId, int> views_of;
+  for (const int view : views) ++views_of[index_.mergeRootAt(view)];
+  EXPECT_EQ(views_of[ObjectId{11}], ViewIndex::kViewsOfAnObject);
+  for (const auto& [object, count] : views_of) EXPECT_LE(count, ViewIndex::kViewsOfAnObject);
+}
+
+TEST_F(ViewIndexTest, PrefersTheSizeThatFits) {
+  for (unsigned seed = 0; seed < 100; ++seed) append(seed);
+  const ObjectId small{1000}, large{1001};
+  for (const ObjectId object : {small, large}) index_.setMergeRoot({object, object});
+  index_.append(large, {picture(500)}, 3 * size(500));
+  index_.append(small, {picture(500)}, size(500));
+  const ViewDescriptor descriptor{picture(500)};
+  EXPECT_EQ(index_.mergeRootAt(index_.shortlist({descriptor, size(500)}, kShortlist).front()), small);
+  EXPECT_EQ(index_.mergeRootAt(index_.shortlist({descriptor, 3 * size(500)}, kShortlist).front()), large);
+}
+
+TEST_F(ViewIndexTest, SaysWhatDiffers) {
+  ViewDescriptor stored{picture(1)}, query{picture(2)};
+  stored.colors.emplace().roots[5] = 255;
+  query.colors.emplace().roots[6] = 255;
+  index_.append(ObjectId{1}, stored, {0.3F, 0, 0});
+  index_.append(ObjectId{1}, {picture(1)}, Eigen::Vector3f::Zero());
+  const ViewDifference with = index_.difference({query, {0.1F, 0, 0}}, 0);
+  const Eigen::Vector3f mean = picture(1).mean_lab - picture(2).mean_lab;
+  EXPECT_FLOAT_EQ(with.mean_color, mean.squaredNorm() / (40 * 40));
+  ASSERT_TRUE(with.colors);
+  EXPECT_EQ(*with.colors, 1);
+  EXPECT_NEAR(with.size, std::log(3.0), 1e-6);
+  const ViewDifference without = index_.difference({query, {0.1F, 0, 0}}, 1);
+  EXPECT_FALSE(without.colors);
+  EXPECT_EQ(without.size, 0) << "the view's size is unknown";
 }
 
 /// Smaller squared distance of `b` at 16 x 16 to `a` or to its mirror image.
@@ -102,13 +146,13 @@ TEST_F(ViewIndexTest, ReturnsTheNearestView_WhenThereAreMany) {
     for (std::int8_t& value : query.fine)
       value = static_cast<std::int8_t>(std::clamp(value + static_cast<int>(random() % 21) - 10, -127, 127));
     fillCoarse(query);
-    const std::vector<int> nearest_views = index_.shortlist({query, size(view)}, kLimits);
-    EXPECT_EQ(nearest_views.size(), static_cast<std::size_t>(kLimits.shortlist));
+    const ViewDescriptor descriptor{query};
+    const std::vector<int> nearest_views = index_.shortlist({descriptor, size(view)}, kShortlist);
+    EXPECT_EQ(std::ssize(nearest_views), kShortlist);
     int nearest = -1;
     float least = 1e30F;
     for (unsigned other = 0; other < kViews; ++other) {
-      const float color = (query.mean_lab - pictures[other].mean_lab).squaredNorm() / (40 * 40);
-      if (size(other) != size(view) || color >= kLimits.max_distance) continue;
+      if (size(other) != size(view)) continue;
       const float distance = coarseDistance(query, pictures[other]);
       if (distance < least) {
         least = distance;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <set>
 
 #include "tests/support/temporary_folder.h"
@@ -77,6 +78,29 @@ TEST(ParamRegistry, RefusesAFraction_WhenTheParameterIsAnInteger) {
   const Result<void> done = loadConfig(params, folder.write("c.toml", "[detection]\nmax_views = 1.5\n"));
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message(), HasSubstr("line 2"));
+}
+
+TEST(ParamRegistry, KeepsAFileAsAnAbsolutePath) {
+  ScanParams params;
+  const auto& registry = paramRegistry();
+  const auto info = std::ranges::find(registry, "recognition.model", &ParamInfo::key);
+  ASSERT_NE(info, registry.end());
+  EXPECT_EQ(info->text(params), "off");
+  EXPECT_FALSE(info->isNumber());
+  ASSERT_TRUE(applySetting(params, "recognition.model=nets/../a=b.onnx"));
+  EXPECT_EQ(params.detection.model, (std::filesystem::current_path() / "a=b.onnx").string());
+  ScanParams again;
+  ASSERT_TRUE(applySetting(again, "recognition.model=" + info->text(params)));
+  EXPECT_EQ(again.detection.model, params.detection.model);
+  ASSERT_TRUE(applySetting(params, "recognition.model=off"));
+  EXPECT_EQ(params.detection.model, "");
+  EXPECT_THAT(refusal("recognition.model="), HasSubstr("is no file"));
+  EXPECT_THAT(refusal("recognition.model=a\nb"), HasSubstr("is no file"));
+
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(loadConfig(params, folder.write("c.toml", "[recognition]\nmodel = \"/x/net.onnx\"\n")));
+  EXPECT_EQ(params.detection.model, "/x/net.onnx");
+  EXPECT_FALSE(loadConfig(params, folder.write("d.toml", "[recognition]\nmodel = 3\n")));
 }
 
 TEST(ParamRegistry, SuggestsSimilarKeys_WhenAKeyIsUnknown) {

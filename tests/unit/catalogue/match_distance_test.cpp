@@ -1,0 +1,72 @@
+#include "core/catalogue/match_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace scantrove {
+namespace {
+
+TEST(MatchDistance, IsZero_WhenNothingDiffers) {
+  EXPECT_EQ(matchDistance({0, 0, 0.0F, 0, 0.0F}), 0);
+  EXPECT_EQ(matchDistance({0, 0, {}, 0, {}}), 0);
+}
+
+TEST(MatchDistance, GrowsWithEachDifference) {
+  const ViewDifference usual{0.5F, 0.1F, 0.2F, 0.1F, 0.3F};
+  const auto grown = [&](auto change) {
+    ViewDifference difference = usual;
+    change(difference);
+    return matchDistance(difference) - matchDistance(usual);
+  };
+  EXPECT_GT(grown([](ViewDifference& d) { d.shape += 0.1F; }), 0);
+  EXPECT_GT(grown([](ViewDifference& d) { *d.colors += 0.1F; }), 0);
+  EXPECT_GT(grown([](ViewDifference& d) { d.size += 0.1F; }), 0);
+  EXPECT_GT(grown([](ViewDifference& d) { *d.network += 0.1F; }), 0);
+  EXPECT_EQ(grown([](ViewDifference& d) { d.mean_color += 0.1F; }), 0) << "the histogram says it better";
+}
+
+TEST(MatchDistance, UsesTheMeanColor_WhenAViewHasNoHistogram) {
+  EXPECT_FLOAT_EQ(matchDistance({0.5F, 0.1F, {}, 0, {}}), 0.6F);
+}
+
+TEST(MatchDistance, SizeIsEvidence) {
+  const auto ofRatio = [](float ratio) { return matchDistance({0, 0, 0.0F, std::log(ratio), {}}); };
+  EXPECT_LT(ofRatio(1.3F), 0.1F);
+  EXPECT_GT(ofRatio(1.5F), ofRatio(1.3F));
+  EXPECT_LT(ofRatio(2), 0.5F) << "the same picture may be recognised";
+  EXPECT_GT(ofRatio(3), 0.5F) << "no default limit accepts a copy of three times the size";
+}
+
+/// distance / sqrt(mean of the five nearest others).
+float expectedOf(float distance, const std::vector<float>& five) {
+  return distance / std::sqrt(std::accumulate(five.begin(), five.end(), 0.0F) / 5);
+}
+
+TEST(RelativeDistance, ComparesWithTheFiveNearestOthers) {
+  const std::vector<float> others{0.9F, 3, 0.5F, 0.8F, 2, 0.6F, 0.7F, 1.5F, 1.2F};
+  EXPECT_FLOAT_EQ(relativeDistance(0.3F, others, 10), expectedOf(0.3F, {0.5F, 0.6F, 0.7F, 0.8F, 0.9F}));
+  EXPECT_LT(relativeDistance(0.3F, std::vector<float>(9, 1.4F), 10), 0.3F) << "nothing else is near";
+  EXPECT_GT(relativeDistance(0.3F, std::vector<float>(9, 0.4F), 10), 0.3F) << "all are as near";
+}
+
+TEST(RelativeDistance, CompletesASmallCatalogueByUsualObjects) {
+  EXPECT_FLOAT_EQ(relativeDistance(0.3F, {}, 1), 0.3F) << "nothing to compare with";
+  EXPECT_FLOAT_EQ(relativeDistance(0.3F, {2.5F}, 2), 0.3F) << "a far object does not make it surer";
+  EXPECT_FLOAT_EQ(relativeDistance(0.3F, {0.4F}, 2), expectedOf(0.3F, {0.4F, 1, 1, 1, 1}));
+  EXPECT_FLOAT_EQ(relativeDistance(0.3F, std::vector<float>(8, 1.5F), 9),
+                  expectedOf(0.3F, {1, 1.5F, 1.5F, 1.5F, 1.5F}));
+}
+
+TEST(RelativeDistance, UsesTheComparedObjects_WhenMoreAreInTheCatalogue) {
+  EXPECT_FLOAT_EQ(relativeDistance(0.3F, {0.5F, 0.7F}, 10), 0.3F / std::sqrt(0.6F));
+  EXPECT_FLOAT_EQ(relativeDistance(0.3F, {}, 40), 0.3F);
+}
+
+TEST(RelativeDistance, StaysFinite_WhenDuplicatesAreInTheCatalogue) {
+  EXPECT_TRUE(std::isfinite(relativeDistance(0.1F, std::vector<float>(9, 0.0F), 10)));
+}
+
+}  // namespace
+}  // namespace scantrove
