@@ -197,13 +197,14 @@ void addRecognition(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& co
       "Recognition of things in single photographs by the program's own detector.\n"
       "The folder holds NAME-color.png (or .jpg), NAME-depth.png in mm, NAME-label.png with labels\n"
       "100 * thing + instance, and label_mapping.csv with lines NUMBER,NAME (HOTS).\n"
-      "A few random views of each thing are stored; all crops of other images are queries. A query is\n"
-      "compared with the stored views of other images, and once more without those of its own thing.\n"
+      "Images whose names differ only in the last number show one scene. Each crop is compared with a few\n"
+      "random views of each thing from other scenes, and once more without those of its own thing.\n"
       "A name is false if it is another thing's, or if the thing was not stored.");
   sub->add_option("folder", command->recognition.folder, "the images")->required()->type_name("DIR");
   sub->add_option("--views", command->recognition.views, "stored views of each thing")
       ->transform(wholeNumber(1))
       ->type_name("N");
+  sub->add_flag("--each-image", command->recognition.each_image, "each image is a scene of its own");
   sub->add_option("--draws", command->recognition.draws, "random choices of these views")
       ->transform(wholeNumber(1))
       ->type_name("N");

@@ -1,6 +1,7 @@
 #include "app/recognition_evaluation.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -31,7 +32,7 @@ constexpr int kInstancesOfAThing = 100;  // LABEL = 100 * thing + instance
 constexpr double kMostFalse = 0.01;
 
 struct Crop {
-  int image = 0, thing = 0;
+  int image = 0, scene = 0, thing = 0;
   DetectionQuery query;
 };
 
@@ -77,7 +78,8 @@ Eigen::Vector3f sizeOf(const RgbdFrame& frame, const Intrinsics& K, const cv::Ma
 }
 
 /// One crop for each label of the image.
-void cut(const RgbdFrame& frame, const Intrinsics& K, const cv::Mat& labels, std::vector<Crop>& crops) {
+void cut(const RgbdFrame& frame, int scene, const Intrinsics& K, const cv::Mat& labels,
+         std::vector<Crop>& crops) {
   std::set<int> present;
   cv::Mat1i numbers;
   labels.convertTo(numbers, CV_32S);
@@ -88,19 +90,30 @@ void cut(const RgbdFrame& frame, const Intrinsics& K, const cv::Mat& labels, std
     const cv::Mat mask = numbers == label;
     const cv::Rect box = cv::boundingRect(mask);
     crops.push_back({frame.index,
+                     scene,
                      label / kInstancesOfAThing,
                      {frame.color(box).clone(), mask(box).clone(), sizeOf(frame, K, mask)}});
   }
 }
 
-Result<std::vector<Crop>> readCrops(const fs::path& folder, std::size_t& images) {
+/// A name without its last number: "mix_1_top_raw_12" becomes "mix_1_top_raw".
+std::string sceneOf(std::string name) {
+  while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) != 0) name.pop_back();
+  while (!name.empty() && (name.back() == '_' || name.back() == '-')) name.pop_back();
+  return name;
+}
+
+Result<std::vector<Crop>> readCrops(const fs::path& folder, bool each_image, std::size_t& images) {
   auto pairs = openImagePairs(folder);
   if (!pairs) return fail(pairs.error());
   std::vector<Crop> crops;
+  std::map<std::string, int> scenes;
   for (FrameRead read = pairs->frames->next(); read.status != FrameRead::Status::end;
        read = pairs->frames->next()) {
     if (read.status != FrameRead::Status::frame) return fail(read.error);
     const std::string& name = pairs->names[static_cast<std::size_t>(read.frame.index)];
+    const int scene =
+        scenes.try_emplace(each_image ? name : sceneOf(name), static_cast<int>(scenes.size())).first->second;
     const fs::path file = folder / (name + "-label.png");
     const Result<cv::Mat> labels = readLabelImage(file);
     if (!labels) return fail(labels.error());
@@ -108,76 +121,54 @@ Result<std::vector<Crop>> readCrops(const fs::path& folder, std::size_t& images)
       return fail(file.string() + " has another size than its colour and depth image.",
                   "Give images of one size.");
     }
-    cut(read.frame, pairs->frames->info().intrinsics, *labels, crops);
+    cut(read.frame, scene, pairs->frames->info().intrinsics, *labels, crops);
     ++images;
   }
   return crops;
 }
 
 /// A catalogue of random views, and its answers.
-class Catalogue {
+class StoredThings {
  public:
-  Catalogue(const std::vector<Crop>& crops, Detector detector)
+  StoredThings(const std::vector<Crop>& crops, Detector detector)
       : crops_(crops), detector_(std::move(detector)) {}
 
-  /// Stores `views` crops of each thing, each from another image.
-  void fill(int views, std::mt19937& random) {
+  /// Stores `views` crops of each thing, each from another image, none from `scene`.
+  void fill(int views, int scene, std::mt19937& random) {
     std::vector<std::size_t> order(crops_.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::shuffle(order, random);
+    std::map<int, std::set<int>> images_of;  // by thing
     for (const std::size_t i : order) {
       const Crop& crop = crops_[i];
-      std::set<int>& images = images_of_[crop.thing];
-      if (std::ssize(images) >= views || images.contains(crop.image)) continue;
+      std::set<int>& images = images_of[crop.thing];
+      if (crop.scene == scene || std::ssize(images) >= views || images.contains(crop.image)) continue;
       const std::optional<ViewDescriptor> descriptor = detector_.describe(crop.query.color, crop.query.mask);
       if (!descriptor) continue;
       images.insert(crop.image);
-      stored_.push_back(i);
-      detector_.add({0, viewId(stored_.size() - 1), crop.query.size_m, *descriptor, {}});
-      show(stored_.size() - 1, true);
+      detector_.add({0, idOf(crop.thing), crop.query.size_m, *descriptor, {}});
+      show(crop.thing, true);
     }
   }
 
-  /// The crop may be asked for: its thing has views, and none of them is from its image.
-  [[nodiscard]] bool isForQuery(const Crop& crop) const {
-    const auto found = images_of_.find(crop.thing);
-    return found != images_of_.end() && !found->second.empty() && !found->second.contains(crop.image);
-  }
+  [[nodiscard]] bool has(int thing) const { return !!detector_.mergeRootOf(idOf(thing)); }
 
-  /// All queries are crops of `image`.
-  std::vector<RecognitionTrial> ask(int image, const std::vector<const Crop*>& queries) {
-    showAll([&](const Crop& view) { return view.image != image; });
-    std::vector<DetectionQuery> asked;
-    for (const Crop* query : queries) asked.push_back(query->query);
-    const std::vector<DetectionMatch> matches = detector_.find(asked);
-    std::vector<RecognitionTrial> trials;
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const Crop& query = *queries[i];
-      showAll([&](const Crop& view) { return view.image != image && view.thing != query.thing; });
-      const DetectionMatch without = detector_.find({query.query}).front();
-      trials.push_back({matches[i].nearest == thingId(query.thing), matches[i].distance, without.distance});
-    }
-    return trials;
+  RecognitionTrial ask(const Crop& crop) {
+    const DetectionMatch match = detector_.find({crop.query}).front();
+    show(crop.thing, false);
+    const DetectionMatch without = detector_.find({crop.query}).front();
+    show(crop.thing, true);
+    return {match.nearest == idOf(crop.thing), match.distance, without.distance};
   }
 
  private:
-  static ObjectId viewId(std::size_t view) { return ObjectId{static_cast<std::uint32_t>(view + 1)}; }
-  /// Apart from the ids of views.
-  static ObjectId thingId(int thing) { return ObjectId{(1U << 24U) + static_cast<std::uint32_t>(thing)}; }
-
-  void show(std::size_t view, bool is_shown) {
-    const ObjectId root = is_shown ? thingId(crops_[stored_[view]].thing) : ObjectId{};
-    detector_.setMergeRoot({viewId(view), root});
-  }
-  template <class IsShown>
-  void showAll(const IsShown& isShown) {
-    for (std::size_t view = 0; view < stored_.size(); ++view) show(view, isShown(crops_[stored_[view]]));
+  static ObjectId idOf(int thing) { return ObjectId{static_cast<std::uint32_t>(thing)}; }
+  void show(int thing, bool is_shown) {
+    detector_.setMergeRoot({idOf(thing), is_shown ? idOf(thing) : ObjectId{}});
   }
 
   const std::vector<Crop>& crops_;
   Detector detector_;
-  std::vector<std::size_t> stored_;         // of crops_
-  std::map<int, std::set<int>> images_of_;  // of the stored views, by thing
 };
 
 struct Answers {
@@ -185,18 +176,25 @@ struct Answers {
   std::map<int, std::vector<RecognitionTrial>> of_thing;
 };
 
-void askAll(Catalogue& catalogue, const std::vector<Crop>& crops, Answers& answers) {
-  std::map<int, std::vector<const Crop*>> queries;  // by image
-  for (const Crop& crop : crops) {
-    if (catalogue.isForQuery(crop)) queries[crop.image].push_back(&crop);
-  }
-  for (const auto& [image, asked] : queries) {
-    const std::vector<RecognitionTrial> trials = catalogue.ask(image, asked);
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      answers.all.push_back(trials[i]);
-      answers.of_thing[asked[i]->thing].push_back(trials[i]);
+/// Asks for the crops of each scene in a catalogue of the other scenes.
+Result<void> askAll(const std::vector<Crop>& crops, const RecognitionEvaluation& request,
+                    const DetectionParams& params, ComputeContext& compute, std::mt19937& random,
+                    Answers& answers) {
+  std::map<int, std::vector<const Crop*>> queries;  // by scene
+  for (const Crop& crop : crops) queries[crop.scene].push_back(&crop);
+  for (const auto& [scene, asked] : queries) {
+    Result<Detector> detector = Detector::create(compute, params.model);
+    if (!detector) return fail(detector.error());
+    detector->setParams(params);
+    StoredThings stored(crops, std::move(*detector));
+    stored.fill(request.views, scene, random);
+    for (const Crop* crop : asked) {
+      if (!stored.has(crop->thing)) continue;
+      answers.all.push_back(stored.ask(*crop));
+      answers.of_thing[crop->thing].push_back(answers.all.back());
     }
   }
+  return {};
 }
 
 Json toJson(const RecognitionRates& rates, float limit) {
@@ -215,25 +213,18 @@ Result<Json> evaluateRecognition(const RecognitionEvaluation& request) {
   const auto names = readMapping(folder / "label_mapping.csv");
   if (!names) return fail(names.error());
   std::size_t images = 0;
-  const Result<std::vector<Crop>> crops = readCrops(folder, images);
+  const Result<std::vector<Crop>> crops = readCrops(folder, request.each_image, images);
   if (!crops) return fail(crops.error());
   const auto compute = ComputeContext::create({.device = request.device});
   if (!compute) return fail(compute.error());
 
   std::mt19937 random(static_cast<unsigned>(request.seed));
   Answers answers;
-  for (int draw = 0; draw < request.draws; ++draw) {
-    Result<Detector> detector = Detector::create(**compute, params.detection.model);
-    if (!detector) return fail(detector.error());
-    detector->setParams(params.detection);
-    Catalogue catalogue(*crops, std::move(*detector));
-    catalogue.fill(request.views, random);
-    askAll(catalogue, *crops, answers);
-  }
+  for (int draw = 0; draw < request.draws; ++draw)
+    SCANTROVE_TRY(askAll(*crops, request, params.detection, **compute, random, answers));
   if (answers.all.empty()) {
-    return fail("No thing in " + request.folder + " is in more images than the " +
-                    std::to_string(request.views) + " whose views are stored.",
-                "Give more images, or fewer with --views.");
+    return fail("No thing in " + request.folder + " is in two scenes.",
+                request.each_image ? "Give more images." : "Is each image a scene? Then give --each-image.");
   }
   const float limit = std::min(limitFor(answers.all, kMostFalse), DetectionMatch{}.distance);
   const float set_limit = params.detection.max_distance;
@@ -263,7 +254,7 @@ void printRecognition(const Json& result) {
   };
   std::cout << std::fixed << std::setprecision(3) << result["things"] << " things in " << result["images"]
             << " images, " << result["views"] << " views of each stored, " << result["queries"]
-            << " queries from other images\n"
+            << " queries from other scenes\n"
             << "nearest right: " << result["nearest_right"].get<double>() << '\n';
   printRates("at most 1 % false names", result["at_1_percent_false"]);
   printRates("as set", result["at_set_limit"]);

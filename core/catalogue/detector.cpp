@@ -4,17 +4,35 @@
 #include <map>
 #include <utility>
 
+#include "core/catalogue/appearance_network.h"
 #include "core/catalogue/match_distance.h"
 
 namespace scantrove {
+namespace {
+
+/// The first of the nearest objects; the end if there is none.
+std::map<ObjectId, float>::const_iterator nearestOf(const std::map<ObjectId, float>& distances) {
+  return std::ranges::min_element(distances, {}, [](const auto& entry) { return entry.second; });
+}
+
+}  // namespace
 
 Result<Detector> Detector::create(ComputeContext& compute, const std::string& network) {
   Result<ThumbnailMatcher> matcher = ThumbnailMatcher::create(compute);
   if (!matcher) return fail(matcher.error());
   Detector detector(std::move(*matcher));
-  if (!network.empty()) SCANTROVE_TRY(moveInto(detector.network_, AppearanceNetwork::load(network)));
+  if (!network.empty()) {
+    Result<AppearanceNetwork> loaded = AppearanceNetwork::load(network);
+    if (!loaded) return fail(loaded.error());
+    detector.network_ = std::make_unique<AppearanceNetwork>(std::move(*loaded));
+  }
   return detector;
 }
+
+Detector::Detector(ThumbnailMatcher matcher) : matcher_(std::move(matcher)) {}
+Detector::~Detector() = default;
+Detector::Detector(Detector&& other) noexcept = default;
+Detector& Detector::operator=(Detector&& other) noexcept = default;
 
 void Detector::warmUp() {
   const cv::Mat color(2, 2, CV_8UC3, cv::Scalar(10, 20, 30)), mask(2, 2, CV_8UC1, cv::Scalar(255));
@@ -66,10 +84,15 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
   for (const Compared& one : compared) {
     const ViewIndex::Query asked{one.descriptor, queries[one.query].size_m};
     DetectionMatch& match = matches[one.query];
-    findNearest(one, asked, left.first(one.views.size()), objects, match);
+    findNearest(distances(asked, one.views, left.first(one.views.size()), true), objects, match);
     left = left.subspan(one.views.size());
-    findGuess(one, asked, left.first(one.guessed_views.size()), match);
+    const std::map<ObjectId, float> guesses =
+        distances(asked, one.guessed_views, left.first(one.guessed_views.size()), false);
     left = left.subspan(one.guessed_views.size());
+    const auto guess = nearestOf(guesses);
+    if (guess == guesses.end() || guess->second >= match.guess_distance) continue;
+    match.guess = guess->first;
+    match.guess_distance = guess->second;
   }
   return matches;
 }
@@ -81,37 +104,29 @@ ViewDifference Detector::difference(const ViewIndex::Query& query, int view, flo
   return difference;
 }
 
-void Detector::findNearest(const Compared& compared, const ViewIndex::Query& query,
-                           std::span<const float> shapes, int objects, DetectionMatch& match) const {
-  std::map<ObjectId, float> distances;  // by object
-  for (std::size_t i = 0; i < compared.views.size(); ++i) {
-    const int view = compared.views[i];
-    const float distance = matchDistance(difference(query, view, shapes[i]));
-    const ObjectId object = index_.mergeRootAt(view);
-    const auto [entry, is_first] = distances.try_emplace(object, distance);
-    entry->second = std::min(entry->second, distance);
-    if (distance >= match.nearest_distance) continue;
-    match.nearest_distance = distance;
-    match.nearest = object;
+std::map<ObjectId, float> Detector::distances(const ViewIndex::Query& query, std::span<const int> views,
+                                              std::span<const float> shapes, bool with_size) const {
+  std::map<ObjectId, std::vector<float>> of_views;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    ViewDifference different = difference(query, views[i], shapes[i]);
+    if (!with_size) different.size = 0;
+    of_views[index_.mergeRootAt(views[i])].push_back(matchDistance(different));
   }
-  if (!match.nearest) return;
-  distances.erase(match.nearest);
-  std::vector<float> others;
-  for (const auto& [object, distance] : distances) others.push_back(distance);
-  match.distance = relativeDistance(match.nearest_distance, std::move(others), objects);
-  if (match.distance < params_.max_distance) match.object = match.nearest;
+  std::map<ObjectId, float> of_objects;
+  for (auto& [object, all] : of_views) of_objects.emplace(object, objectDistance(std::move(all)));
+  return of_objects;
 }
 
-void Detector::findGuess(const Compared& compared, const ViewIndex::Query& query,
-                         std::span<const float> shapes, DetectionMatch& match) const {
-  for (std::size_t i = 0; i < compared.guessed_views.size(); ++i) {
-    ViewDifference difference = this->difference(query, compared.guessed_views[i], shapes[i]);
-    difference.size = 0;  // perhaps a part of the object
-    const float distance = matchDistance(difference);
-    if (distance >= match.guess_distance) continue;
-    match.guess_distance = distance;
-    match.guess = index_.mergeRootAt(compared.guessed_views[i]);
-  }
+void Detector::findNearest(std::map<ObjectId, float> of_objects, int objects, DetectionMatch& match) const {
+  const auto nearest = nearestOf(of_objects);
+  if (nearest == of_objects.end() || nearest->second >= match.nearest_distance) return;
+  match.nearest = nearest->first;
+  match.nearest_distance = nearest->second;
+  of_objects.erase(nearest);
+  std::vector<float> others;
+  for (const auto& [object, distance] : of_objects) others.push_back(distance);
+  match.distance = relativeDistance(match.nearest_distance, std::move(others), objects);
+  if (match.distance < params_.max_distance) match.object = match.nearest;
 }
 
 }  // namespace scantrove

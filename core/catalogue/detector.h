@@ -1,12 +1,13 @@
 #pragma once
 #include <Eigen/Core>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalogue/appearance_network.h"
 #include "core/catalogue/detection_params.h"
 #include "core/catalogue/object_record.h"
 #include "core/catalogue/thumbnail_matcher.h"
@@ -14,6 +15,8 @@
 #include "core/compute/compute_context.h"
 
 namespace scantrove {
+
+class AppearanceNetwork;
 
 /// One candidate to compare.
 struct DetectionQuery {
@@ -28,8 +31,8 @@ struct DetectionMatch {
   ObjectId nearest;            ///< the best match, accepted or not; none: no object is similar at all
   float distance = 2;          ///< of the nearest object, judged by the runners-up (relativeDistance)
   ObjectId guess = {};         ///< best match of DetectionQuery::guesses; none: no match possible
-  float guess_distance = 2;    ///< of its best view (matchDistance), without the size
-  float nearest_distance = 2;  ///< of the nearest object's best view (matchDistance)
+  float guess_distance = 2;    ///< objectDistance(), without the size
+  float nearest_distance = 2;  ///< objectDistance() of the nearest object
 };
 
 /// Nearest neighbour recognition over all views of the catalogue (thesis 5.2; Torralba et al. 2008): 32 x
@@ -42,6 +45,9 @@ class Detector {
  public:
   /// `network`: an ONNX file, see AppearanceNetwork; empty: none. Error: of the network or the device.
   [[nodiscard]] static Result<Detector> create(ComputeContext& compute, const std::string& network = {});
+  ~Detector();
+  Detector(Detector&& other) noexcept;
+  Detector& operator=(Detector&& other) noexcept;
 
   void setParams(const DetectionParams& params) { params_ = params; }
 
@@ -75,19 +81,19 @@ class Detector {
     std::vector<int> views, guessed_views;
   };
 
-  explicit Detector(ThumbnailMatcher matcher) : matcher_(std::move(matcher)) {}
+  explicit Detector(ThumbnailMatcher matcher);
   [[nodiscard]] ViewDifference difference(const ViewIndex::Query& query, int view, float shape) const;
-  /// Fills the match, except for the guess. `shapes`: of the pairs with `views`; `objects`: countObjects().
-  void findNearest(const Compared& compared, const ViewIndex::Query& query, std::span<const float> shapes,
-                   int objects, DetectionMatch& match) const;
-  /// Fills the guess. `shapes`: of the pairs with `guessed_views`.
-  void findGuess(const Compared& compared, const ViewIndex::Query& query, std::span<const float> shapes,
-                 DetectionMatch& match) const;
+  /// The distances of all objects that the views belong to. `shapes`: of the pairs with `views`. Without the
+  /// size: the query perhaps shows only a part.
+  [[nodiscard]] std::map<ObjectId, float> distances(const ViewIndex::Query& query, std::span<const int> views,
+                                                    std::span<const float> shapes, bool with_size) const;
+  /// Fills the match, except for the guess. `of_objects`: distances(); `objects`: countObjects().
+  void findNearest(std::map<ObjectId, float> of_objects, int objects, DetectionMatch& match) const;
 
   DetectionParams params_;
   ThumbnailMatcher matcher_;
   ViewIndex index_;
-  std::optional<AppearanceNetwork> network_;
+  std::unique_ptr<AppearanceNetwork> network_;  // null: none
 };
 
 }  // namespace scantrove

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -9,13 +10,21 @@ struct ViewDifference {
   float shape = 2;               ///< warped SSD of the thumbnails: 0 = same, 2 = unrelated
   float mean_color = 0;          ///< squared difference of the mean Lab colours / 40^2
   std::optional<float> colors;   ///< squared Hellinger distance of the histograms; none: a view has none
-  float size = 0;                ///< |ln| of the ratio of the boxes' diagonals; 0: unknown
+  float size = 0;                ///< sizeDifference()
   std::optional<float> network;  ///< as AppearanceNetwork::distance(); none: a view has no such vector
 };
 
-/// One number for all evidence: 0 = the same view; unrelated objects of one size differ by 0.7 and more,
+/// Mean |ln| of the ratios of two oriented boxes (sides in metres, longest first): half their diagonals,
+/// half their sides. 0: a size is unknown.
+[[nodiscard]] float sizeDifference(const Eigen::Vector3f& a_m, const Eigen::Vector3f& b_m);
+
+/// One number for all evidence: 0 = the same view; unrelated objects of one size differ by 0.6 and more,
 /// most by 1.
 [[nodiscard]] float matchDistance(const ViewDifference& difference);
+
+/// The distance of an object from those of its compared views: mostly of the nearest, a little of the next
+/// two, because a view that is near by chance has no near neighbours. `views`: at least one.
+[[nodiscard]] float objectDistance(std::vector<float> views);
 
 /// `distance` of the nearest object, judged by the runners-up: the same distance says less if five other
 /// objects are almost as near. `others`: the distance of each other compared object, in any order;

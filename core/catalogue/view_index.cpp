@@ -37,9 +37,6 @@ float meanColorDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return (a - b).squaredNorm() / (kColorUnit * kColorUnit);
 }
 
-/// |ln| of the ratio; 0: a size is unknown.
-float sizeDifference(float a, float b) { return a > 0 && b > 0 ? std::abs(std::log(a / b)) : 0; }
-
 /// A size of zero is unknown and agrees with all.
 bool sizesAgree(float a, float b, float tolerance) {
   return !(a > 0 && b > 0) || std::abs(a - b) <= tolerance * std::max(a, b);
@@ -79,8 +76,7 @@ int ViewIndex::countObjects(int most) const {
 void ViewIndex::append(ObjectId first_object, const ViewDescriptor& descriptor,
                        const Eigen::Vector3f& size_m) {
   const Thumbnail& thumbnail = descriptor.thumbnail;
-  views_.push_back(
-      {ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), energyOf(thumbnail.coarse), {}});
+  views_.push_back({ownerOf(first_object), thumbnail.mean_lab, size_m, energyOf(thumbnail.coarse), {}});
   colors_.push_back(descriptor.colors);
   networks_.push_back(descriptor.network);
   coarse_.push_back(thumbnail.coarse);
@@ -116,7 +112,7 @@ ViewIndex::Coordinates ViewIndex::project(const Coarse& coarse) const {
 
 std::vector<ViewIndex::Ranked> ViewIndex::rank(const Query& query) const {
   const Thumbnail& thumbnail = query.descriptor.thumbnail;
-  const float diagonal_m = query.size_m.norm(), energy = energyOf(thumbnail.coarse);
+  const float energy = energyOf(thumbnail.coarse);
   Coordinates straight, flipped;
   const bool has_components = !components_.eigenvectors.empty();
   if (has_components) {
@@ -129,7 +125,7 @@ std::vector<ViewIndex::Ranked> ViewIndex::rank(const Query& query) const {
     const View& view = views_[static_cast<std::size_t>(place)];
     if (!merge_roots_[view.owner]) continue;
     ViewDifference probable{0, meanColorDistance(thumbnail.mean_lab, view.mean_lab), {}, 0, {}};
-    probable.size = sizeDifference(diagonal_m, view.diagonal_m);
+    probable.size = sizeDifference(query.size_m, view.size_m);
     if (has_components) {
       const double ssd = std::min(cv::norm(straight, view.coordinates, cv::NORM_L2SQR),
                                   cv::norm(flipped, view.coordinates, cv::NORM_L2SQR));
@@ -167,8 +163,8 @@ std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> roots, const Query
   const float diagonal_m = query.size_m.norm();
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
-    const bool fits = sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
-                      isPartOf(diagonal_m, view.diagonal_m);
+    const bool fits = sizesAgree(diagonal_m, view.size_m.norm(), limits.size_tolerance) ||
+                      isPartOf(diagonal_m, view.size_m.norm());
     if (fits && std::ranges::find(roots, merge_roots_[view.owner]) != roots.end() &&
         meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
       places.push_back(place);
@@ -182,7 +178,7 @@ ViewDifference ViewIndex::difference(const Query& query, int place) const {
   ViewDifference difference;
   difference.mean_color = meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab);
   if (colors && query.descriptor.colors) difference.colors = colorDistance(*query.descriptor.colors, *colors);
-  difference.size = sizeDifference(query.size_m.norm(), view.diagonal_m);
+  difference.size = sizeDifference(query.size_m, view.size_m);
   return difference;
 }
 

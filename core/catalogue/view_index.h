@@ -69,7 +69,7 @@ class ViewIndex {
   struct View {                            // read by every query, so kept small
     std::uint32_t owner;                   // of merge_roots_
     Eigen::Vector3f mean_lab;
-    float diagonal_m;
+    Eigen::Vector3f size_m;
     float energy;  // sum of squares of the 16 x 16 pixels
     Coordinates coordinates;
   };

@@ -7,8 +7,8 @@
 namespace scantrove {
 namespace {
 
-/// Distance (matchDistance) up to which an appeared candidate is a missing object: unrelated objects of one
-/// size differ by 0.7 and more, most by 1. If no other object is missing, less similarity is enough, because
+/// Distance (objectDistance) up to which an appeared candidate is a missing object: unrelated objects of one
+/// size differ by 0.6 and more, most by 1. If no other object is missing, less similarity is enough, because
 /// objects are moved more often than exchanged for similar ones.
 constexpr float kReturnedDistance = 1.0F;
 constexpr float kOnlyOneReturnedDistance = 1.5F;

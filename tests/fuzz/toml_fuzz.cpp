@@ -23,6 +23,7 @@ std::vector<std::string> seeds() {
           "[segmentation]\nkä = 1 # für Möbel\n",
           "fusion.max_depth_m = 4.0\n",
           "segmentation.k=0.25",
+          "recognition.model=nets/a.onnx",
           "labeling.rule=thesis"};
 }
 

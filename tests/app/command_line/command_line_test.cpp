@@ -87,6 +87,8 @@ TEST(CommandLine, RefusesUnknownAndMissingArguments) {
   expectRefused(parse({"evaluate"}), {"subcommand"});
   expectRefused(parse({"evaluate", "trajectory", "--estimate", "x"}), {"--truth"});
   expectRefused(parse({"evaluate", "catalogue", "--scan", "x"}), {"--truth"});
+  expectRefused(parse({"evaluate", "recognition"}), {"folder"});
+  expectRefused(parse({"evaluate", "recognition", "x", "--views", "0"}), {"--views", "whole number"});
 }
 
 TEST(CommandLine, RefusesEmptyArguments) {

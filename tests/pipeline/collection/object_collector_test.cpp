@@ -108,7 +108,7 @@ TEST_F(ObjectCollectorTest, RecognizesAMissingObject_WhenItAppearsInPart) {
 }
 
 TEST_F(ObjectCollectorTest, LowSimilarityIsEnough_WhenOneObjectIsMissing) {
-  const TableItem put{mug_.seed, 2, RegionId{77}, 0.9};
+  const TableItem put{6, 2, RegionId{77}};  // unlike both
   Candidate here = put.candidate();
   here.has_appeared = true;
   static_cast<void>(showFrames({mug_}));
@@ -118,7 +118,7 @@ TEST_F(ObjectCollectorTest, LowSimilarityIsEnough_WhenOneObjectIsMissing) {
 }
 
 TEST_F(ObjectCollectorTest, HighSimilarityIsNeeded_WhenSeveralObjectsAreMissing) {
-  const TableItem put{mug_.seed, 2, RegionId{77}, 0.9};
+  const TableItem put{6, 2, RegionId{77}};  // unlike both
   Candidate here = put.candidate();
   here.has_appeared = true;
   static_cast<void>(showFrames({mug_, box_}));

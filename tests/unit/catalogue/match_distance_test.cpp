@@ -32,11 +32,31 @@ TEST(MatchDistance, UsesTheMeanColor_WhenAViewHasNoHistogram) {
 }
 
 TEST(MatchDistance, SizeIsEvidence) {
-  const auto ofRatio = [](float ratio) { return matchDistance({0, 0, 0.0F, std::log(ratio), {}}); };
+  const Eigen::Vector3f size_m(0.3F, 0.2F, 0.1F);
+  const auto ofRatio = [&](float ratio) {
+    return matchDistance({0, 0, 0.0F, sizeDifference(size_m, ratio * size_m), {}});
+  };
   EXPECT_LT(ofRatio(1.3F), 0.1F);
   EXPECT_GT(ofRatio(1.5F), ofRatio(1.3F));
   EXPECT_LT(ofRatio(2), 0.5F) << "the same picture may be recognised";
   EXPECT_GT(ofRatio(3), 0.5F) << "no default limit accepts a copy of three times the size";
+}
+
+TEST(SizeDifference, IsTheMeanOfDiagonalAndSides) {
+  const Eigen::Vector3f a(0.4F, 0.2F, 0.1F), b(0.2F, 0.2F, 0.05F);
+  const double diagonals = std::log(std::sqrt(0.21) / std::sqrt(0.0825));
+  const double sides = (std::log(2.0) + 0 + std::log(2.0)) / 3;
+  EXPECT_NEAR(sizeDifference(a, b), (diagonals + sides) / 2, 1e-6);
+  EXPECT_FLOAT_EQ(sizeDifference(b, a), sizeDifference(a, b));
+  EXPECT_EQ(sizeDifference(a, Eigen::Vector3f::Zero()), 0) << "unknown";
+  const Eigen::Vector3f thin(0.2F, 0.02F, 0.001F), thinner(0.2F, 0.01F, 0.002F);
+  EXPECT_LT(sizeDifference(thin, thinner), 0.005F) << "sides of a pen are noise";
+}
+
+TEST(ObjectDistance, IsMostlyThatOfTheNearestView) {
+  EXPECT_FLOAT_EQ(objectDistance({0.4F}), 0.4F);
+  EXPECT_FLOAT_EQ(objectDistance({0.8F, 0.4F}), 0.8F * 0.4F + 0.2F * 0.6F);
+  EXPECT_FLOAT_EQ(objectDistance({1.5F, 0.9F, 0.3F, 0.6F}), 0.8F * 0.3F + 0.2F * 0.6F) << "of three views";
 }
 
 /// distance / sqrt(mean of the five nearest others).

@@ -99,15 +99,15 @@ TEST_F(ViewIndexTest, SaysWhatDiffers) {
   ViewDescriptor stored{picture(1)}, query{picture(2)};
   stored.colors.emplace().roots[5] = 255;
   query.colors.emplace().roots[6] = 255;
-  index_.append(ObjectId{1}, stored, {0.3F, 0, 0});
+  index_.append(ObjectId{1}, stored, {0.3F, 0.3F, 0.3F});
   index_.append(ObjectId{1}, {picture(1)}, Eigen::Vector3f::Zero());
-  const ViewDifference with = index_.difference({query, {0.1F, 0, 0}}, 0);
+  const ViewDifference with = index_.difference({query, {0.1F, 0.1F, 0.1F}}, 0);
   const Eigen::Vector3f mean = picture(1).mean_lab - picture(2).mean_lab;
   EXPECT_FLOAT_EQ(with.mean_color, mean.squaredNorm() / (40 * 40));
   ASSERT_TRUE(with.colors);
   EXPECT_EQ(*with.colors, 1);
-  EXPECT_NEAR(with.size, std::log(3.0), 1e-6);
-  const ViewDifference without = index_.difference({query, {0.1F, 0, 0}}, 1);
+  EXPECT_NEAR(with.size, std::log(3.0), 1e-5);
+  const ViewDifference without = index_.difference({query, {0.1F, 0.1F, 0.1F}}, 1);
   EXPECT_FALSE(without.colors);
   EXPECT_EQ(without.size, 0) << "the view's size is unknown";
 }
