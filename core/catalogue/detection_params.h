@@ -7,8 +7,8 @@ namespace scantrove {
 struct DetectionParams {
   /// Maximum distance of an object, judged by the runners-up (matchDistance, relativeDistance): 0 = same
   /// picture; unrelated objects differ by 0.6 and more. Single photographs of 41 things, 3 views of other
-  /// scenes each: 0.5 names 46 %, 2 % wrongly, and 4 % of the things that are unknown; 0.4 names 33 %, 1 % and
-  /// 1 %. A wrong name costs more than none, and several frames must agree.
+  /// scenes each: 0.5 names 46 %, 2 % wrongly, and 4 % of the things that are unknown; 0.4 names 33 %, 1 %
+  /// and 1 %. A wrong name costs more than none, and several frames must agree.
   float max_distance = 0.5F;
   int shortlist = 16;            ///< views left after pruning by principal components
   float size_tolerance = 0.35F;  ///< of guesses: maximum relative difference of the boxes' diagonals
