@@ -33,6 +33,8 @@ constexpr float kUsualOther = 1;
 constexpr std::size_t kRunnersUp = 5;
 /// Duplicates of one object in the catalogue do not make it unrecognisable.
 constexpr float kLeastOther = 0.1F;
+/// Distance of unrelated pictures. More is due to the size.
+constexpr float kFarthestOther = 2;
 
 /// Mean of the smallest `most` values, which it sorts.
 float meanOfSmallest(std::vector<float>& values, std::size_t most) {
@@ -72,6 +74,7 @@ float relativeDistance(float distance, std::vector<float> others, int objects) {
   const int missing = std::max(kObjectsToCompare - std::max(objects, 1), 0);
   others.insert(others.end(), static_cast<std::size_t>(missing), kUsualOther);
   if (others.empty()) return distance;
+  for (float& other : others) other = std::min(other, kFarthestOther);
   return distance / std::sqrt(std::max(meanOfSmallest(others, kRunnersUp), kLeastOther) / kUsualOther);
 }
 

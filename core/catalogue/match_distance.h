@@ -29,7 +29,8 @@ struct ViewDifference {
 /// `distance` of the nearest object, judged by the runners-up: the same distance says less if five other
 /// objects are almost as near. `others`: the distance of each other compared object, in any order;
 /// `objects`: how many the catalogue has, the nearest one included. A catalogue of fewer than ten is
-/// completed by objects at the usual distance, so that few runners-up neither help nor harm.
+/// completed by objects at the usual distance, so that few runners-up neither help nor harm. Others count as
+/// at most unrelated (2): objects of quite another size do not make the nearest one surer.
 [[nodiscard]] float relativeDistance(float distance, std::vector<float> others, int objects);
 
 inline constexpr int kObjectsToCompare = 10;  ///< see relativeDistance

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace scantrove {
@@ -82,6 +83,14 @@ TEST(RelativeDistance, CompletesASmallCatalogueByUsualObjects) {
 TEST(RelativeDistance, UsesTheComparedObjects_WhenMoreAreInTheCatalogue) {
   EXPECT_FLOAT_EQ(relativeDistance(0.3F, {0.5F, 0.7F}, 10), 0.3F / std::sqrt(0.6F));
   EXPECT_FLOAT_EQ(relativeDistance(0.3F, {}, 40), 0.3F);
+}
+
+TEST(RelativeDistance, IsNotSurer_WhenOthersDifferBySizeToo) {
+  const float unrelated = relativeDistance(0.9F, std::vector<float>(9, 2), 10);
+  EXPECT_EQ(relativeDistance(0.9F, std::vector<float>(9, 40), 10), unrelated);
+  EXPECT_EQ(relativeDistance(0.9F, std::vector<float>(9, std::numeric_limits<float>::infinity()), 10),
+            unrelated);
+  EXPECT_GT(unrelated, 0.5F);
 }
 
 TEST(RelativeDistance, StaysFinite_WhenDuplicatesAreInTheCatalogue) {
