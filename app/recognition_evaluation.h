@@ -19,7 +19,8 @@ struct RecognitionEvaluation {
 
 /// Recognition of single pictures by the program's own detector. Labels number thing and instance: LABEL =
 /// 100 * thing + instance; label_mapping.csv names the things. Crops are cut by the labels, and compared with
-/// views of other scenes. Each crop is compared twice, with and without its own thing in the catalogue.
+/// views of other scenes. Each crop is compared twice, with and without its own thing in the catalogue. Names
+/// are judged by the distance alone: single photographs show too little of a thing to demand its size.
 /// Error: the folder, an image, the mapping or the device cannot be used; no thing is in two scenes.
 [[nodiscard]] Result<nlohmann::ordered_json> evaluateRecognition(const RecognitionEvaluation& request);
 

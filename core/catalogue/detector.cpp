@@ -8,15 +8,6 @@
 #include "core/catalogue/match_distance.h"
 
 namespace scantrove {
-namespace {
-
-/// The first of the nearest objects; the end if there is none.
-std::map<ObjectId, float>::const_iterator nearestOf(const std::map<ObjectId, float>& distances) {
-  return std::ranges::min_element(distances, {}, [](const auto& entry) { return entry.second; });
-}
-
-}  // namespace
-
 Result<Detector> Detector::create(ComputeContext& compute, const std::string& network) {
   Result<ThumbnailMatcher> matcher = ThumbnailMatcher::create(compute);
   if (!matcher) return fail(matcher.error());
@@ -84,15 +75,12 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
   for (const Compared& one : compared) {
     const ViewIndex::Query asked{one.descriptor, queries[one.query].size_m};
     DetectionMatch& match = matches[one.query];
-    findNearest(distances(asked, one.views, left.first(one.views.size()), true), objects, match);
+    const std::span<const float> of_views = left.first(one.views.size());
+    findNearest(distances(asked, one.views, of_views), objects, match);
+    acceptNearest(asked, one.views, of_views, match);
     left = left.subspan(one.views.size());
-    const std::map<ObjectId, float> guesses =
-        distances(asked, one.guessed_views, left.first(one.guessed_views.size()), false);
+    findGuess(asked, one.guessed_views, left.first(one.guessed_views.size()), match);
     left = left.subspan(one.guessed_views.size());
-    const auto guess = nearestOf(guesses);
-    if (guess == guesses.end() || guess->second >= match.guess_distance) continue;
-    match.guess = guess->first;
-    match.guess_distance = guess->second;
   }
   return matches;
 }
@@ -105,20 +93,18 @@ ViewDifference Detector::difference(const ViewIndex::Query& query, int view, flo
 }
 
 std::map<ObjectId, float> Detector::distances(const ViewIndex::Query& query, std::span<const int> views,
-                                              std::span<const float> shapes, bool with_size) const {
+                                              std::span<const float> shapes) const {
   std::map<ObjectId, std::vector<float>> of_views;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    ViewDifference different = difference(query, views[i], shapes[i]);
-    if (!with_size) different.size = 0;
-    of_views[index_.mergeRootAt(views[i])].push_back(matchDistance(different));
-  }
+  for (std::size_t i = 0; i < views.size(); ++i)
+    of_views[index_.mergeRootAt(views[i])].push_back(matchDistance(difference(query, views[i], shapes[i])));
   std::map<ObjectId, float> of_objects;
   for (auto& [object, all] : of_views) of_objects.emplace(object, objectDistance(std::move(all)));
   return of_objects;
 }
 
-void Detector::findNearest(std::map<ObjectId, float> of_objects, int objects, DetectionMatch& match) const {
-  const auto nearest = nearestOf(of_objects);
+void Detector::findNearest(std::map<ObjectId, float> of_objects, int objects, DetectionMatch& match) {
+  const auto nearest =
+      std::ranges::min_element(of_objects, {}, [](const auto& entry) { return entry.second; });
   if (nearest == of_objects.end() || nearest->second >= match.nearest_distance) return;
   match.nearest = nearest->first;
   match.nearest_distance = nearest->second;
@@ -126,7 +112,27 @@ void Detector::findNearest(std::map<ObjectId, float> of_objects, int objects, De
   std::vector<float> others;
   for (const auto& [object, distance] : of_objects) others.push_back(distance);
   match.distance = relativeDistance(match.nearest_distance, std::move(others), objects);
-  if (match.distance < params_.max_distance) match.object = match.nearest;
+}
+
+void Detector::acceptNearest(const ViewIndex::Query& query, std::span<const int> views,
+                             std::span<const float> shapes, DetectionMatch& match) const {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (!index_.hasSize(query, views[i], params_.size_tolerance)) continue;
+    match.thumbnail_distance =
+        std::min(match.thumbnail_distance, thumbnailDistance(difference(query, views[i], shapes[i])));
+    if (match.distance < params_.max_distance && index_.mergeRootAt(views[i]) == match.nearest)
+      match.object = match.nearest;
+  }
+}
+
+void Detector::findGuess(const ViewIndex::Query& query, std::span<const int> views,
+                         std::span<const float> shapes, DetectionMatch& match) const {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const float distance = thumbnailDistance(difference(query, views[i], shapes[i]));
+    if (distance >= match.guess_distance) continue;
+    match.guess_distance = distance;
+    match.guess = index_.mergeRootAt(views[i]);
+  }
 }
 
 }  // namespace scantrove

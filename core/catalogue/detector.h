@@ -27,20 +27,21 @@ struct DetectionQuery {
 };
 
 struct DetectionMatch {
-  ObjectId object;             ///< none: unknown
-  ObjectId nearest;            ///< the best match, accepted or not; none: no object is similar at all
-  float distance = 2;          ///< of the nearest object, judged by the runners-up (relativeDistance)
-  ObjectId guess = {};         ///< best match of DetectionQuery::guesses; none: no match possible
-  float guess_distance = 2;    ///< objectDistance(), without the size
-  float nearest_distance = 2;  ///< objectDistance() of the nearest object
+  ObjectId object;               ///< the nearest, if it is near and about as large; none: unknown
+  ObjectId nearest;              ///< the best match, accepted or not; none: no object is similar at all
+  float distance = 2;            ///< of the nearest object, judged by the runners-up (relativeDistance)
+  ObjectId guess = {};           ///< best match of DetectionQuery::guesses; none: no match possible
+  float guess_distance = 2;      ///< thumbnailDistance() of the guess's best view
+  float nearest_distance = 2;    ///< objectDistance() of the nearest object
+  float thumbnail_distance = 2;  ///< least thumbnailDistance() of the compared views of about this size
 };
 
 /// Nearest neighbour recognition over all views of the catalogue (thesis 5.2; Torralba et al. 2008): 32 x
 /// 32 Lab thumbnails normalised per channel, 19 principal components for pruning, SSD with warping and
 /// local shifts on the device; beside them histograms of the colours, the size and, if the user gave one, a
-/// network (matchDistance). The nearest object must be nearer than its runners-up. A view stays with the
-/// object that it was stored for; a table of merge roots tells the current owner, so merging and deleting
-/// move no views. One thread, the compute context's; all but create may throw cl::Error.
+/// network (matchDistance). The nearest object must be nearer than its runners-up, and about as large. A
+/// view stays with the object that it was stored for; a table of merge roots tells the current owner, so
+/// merging and deleting move no views. One thread, the compute context's; all but create may throw cl::Error.
 class Detector {
  public:
   /// `network`: an ONNX file, see AppearanceNetwork; empty: none. Error: of the network or the device.
@@ -83,12 +84,17 @@ class Detector {
 
   explicit Detector(ThumbnailMatcher matcher);
   [[nodiscard]] ViewDifference difference(const ViewIndex::Query& query, int view, float shape) const;
-  /// The distances of all objects that the views belong to. `shapes`: of the pairs with `views`. Without the
-  /// size: the query perhaps shows only a part.
+  /// The distances of all objects that the views belong to. `shapes`: of the pairs with `views`.
   [[nodiscard]] std::map<ObjectId, float> distances(const ViewIndex::Query& query, std::span<const int> views,
-                                                    std::span<const float> shapes, bool with_size) const;
-  /// Fills the match, except for the guess. `of_objects`: distances(); `objects`: countObjects().
-  void findNearest(std::map<ObjectId, float> of_objects, int objects, DetectionMatch& match) const;
+                                                    std::span<const float> shapes) const;
+  /// Fills the nearest object and its distances. `of_objects`: distances(); `objects`: countObjects().
+  static void findNearest(std::map<ObjectId, float> of_objects, int objects, DetectionMatch& match);
+  /// Accepts the nearest object where its size allows it. After findNearest().
+  void acceptNearest(const ViewIndex::Query& query, std::span<const int> views, std::span<const float> shapes,
+                     DetectionMatch& match) const;
+  /// By the thumbnail alone and whatever the size, because the query perhaps shows only a part.
+  void findGuess(const ViewIndex::Query& query, std::span<const int> views, std::span<const float> shapes,
+                 DetectionMatch& match) const;
 
   DetectionParams params_;
   ThumbnailMatcher matcher_;

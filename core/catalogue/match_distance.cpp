@@ -56,9 +56,11 @@ float sizeDifference(const Eigen::Vector3f& a_m, const Eigen::Vector3f& b_m) {
   return (logRatio(a_m.norm(), b_m.norm()) + sides) / 2;
 }
 
+float thumbnailDistance(const ViewDifference& difference) { return difference.shape + difference.mean_color; }
+
 float matchDistance(const ViewDifference& difference) {
   float distance = difference.colors ? kShape * difference.shape + kColors * *difference.colors
-                                     : difference.shape + difference.mean_color;
+                                     : thumbnailDistance(difference);
   // A network is trained on other things than these, so it counts as much as all the rest.
   if (difference.network) distance = (distance + *difference.network) / 2;
   return distance + kSize * difference.size + kOtherSize * std::max(difference.size - kSizeOfNoise, 0.0F);

@@ -18,8 +18,12 @@ struct ViewDifference {
 /// half their sides. 0: a size is unknown.
 [[nodiscard]] float sizeDifference(const Eigen::Vector3f& a_m, const Eigen::Vector3f& b_m);
 
+/// The thumbnails and their mean colours alone: 0 = the same view; unrelated objects of one size differ by
+/// 0.8 and more, most by 1. The limits of moved and expected objects were measured on it.
+[[nodiscard]] float thumbnailDistance(const ViewDifference& difference);
+
 /// One number for all evidence: 0 = the same view; unrelated objects of one size differ by 0.6 and more,
-/// most by 1.
+/// most by 1. Objects of the same colours differ by only half the SSD of their thumbnails.
 [[nodiscard]] float matchDistance(const ViewDifference& difference);
 
 /// The distance of an object from those of its compared views: mostly of the nearest, a little of the next

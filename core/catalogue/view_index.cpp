@@ -163,13 +163,17 @@ std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> roots, const Query
   const float diagonal_m = query.size_m.norm();
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
-    const bool fits = sizesAgree(diagonal_m, view.size_m.norm(), limits.size_tolerance) ||
-                      isPartOf(diagonal_m, view.size_m.norm());
+    const bool fits =
+        hasSize(query, place, limits.size_tolerance) || isPartOf(diagonal_m, view.size_m.norm());
     if (fits && std::ranges::find(roots, merge_roots_[view.owner]) != roots.end() &&
         meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
       places.push_back(place);
   }
   return places;
+}
+
+bool ViewIndex::hasSize(const Query& query, int place, float tolerance) const {
+  return sizesAgree(query.size_m.norm(), views_[static_cast<std::size_t>(place)].size_m.norm(), tolerance);
 }
 
 ViewDifference ViewIndex::difference(const Query& query, int place) const {

@@ -57,6 +57,9 @@ class ViewIndex {
   [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> roots, const Query& query,
                                          const Limits& limits) const;
 
+  /// Whether the diagonals differ by at most `tolerance` of the larger one, or a size is unknown.
+  [[nodiscard]] bool hasSize(const Query& query, int place, float tolerance) const;
+
   /// All that differs between a query and a view but the shape and the network's vector.
   [[nodiscard]] ViewDifference difference(const Query& query, int place) const;
   [[nodiscard]] const std::optional<NetworkVector>& networkAt(int place) const {

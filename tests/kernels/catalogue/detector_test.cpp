@@ -124,7 +124,8 @@ TEST_F(DetectorTest, ReturnsTheCurrentMergeRoot) {
 TEST_F(DetectorTest, FindsNothing_WhenTheSizeDiffers) {
   addObject(0);
   EXPECT_EQ(find(ObjectImage(0, {90, 70}, 1).query(1.3F * kSize)), 1U);
-  EXPECT_EQ(find(ObjectImage(0, {90, 70}, 1).query(3 * kSize)), 0U);
+  EXPECT_EQ(find(ObjectImage(0, {90, 70}, 1).query(2 * kSize)), 0U);
+  EXPECT_EQ(find(ObjectImage(0, {90, 70}, 1).query(0.5F * kSize)), 0U);
   EXPECT_EQ(find(ObjectImage(0, {90, 70}, 1).query(Eigen::Vector3f::Zero())), 1U);  // unknown size
 }
 
@@ -142,8 +143,10 @@ TEST_F(DetectorTest, NamesTheNearestObject_WhenNoneMatches) {
   const DetectionMatch match = detector_->find({worn.query()})[0];
   EXPECT_FALSE(match.object);
   EXPECT_EQ(match.nearest, ObjectId{1});
-  EXPECT_GT(detector_->find({worn.query(3 * kSize)})[0].nearest_distance, match.nearest_distance)
-      << "no object is this large";
+  const DetectionMatch large = detector_->find({worn.query(3 * kSize)})[0];
+  EXPECT_FALSE(large.object);
+  EXPECT_GT(large.nearest_distance, match.nearest_distance) << "no object is this large";
+  EXPECT_EQ(large.thumbnail_distance, 2) << "no view is this large";
 }
 
 TEST_F(DetectorTest, MatchesAGuess_WhenOnlyHalfOfTheObjectIsKnown) {
@@ -154,7 +157,7 @@ TEST_F(DetectorTest, MatchesAGuess_WhenOnlyHalfOfTheObjectIsKnown) {
   const DetectionMatch match = detector_->find({half})[0];
   EXPECT_EQ(match.guess, ObjectId{2});
   EXPECT_LT(match.guess_distance, 0.15F);
-  EXPECT_GT(match.nearest_distance, match.guess_distance) << "no object is this small";
+  EXPECT_FALSE(match.object) << "no object is this small";
   half.size_m = 0.4F * kSize;
   EXPECT_FALSE(detector_->find({half})[0].guess) << "less than half";
   half.size_m = 1.6F * kSize;

@@ -52,6 +52,16 @@ TEST_F(ObjectCollectorTest, ReportsARecognizedObjectOnce) {
   EXPECT_EQ(listed[1].recognized_from, "");
 }
 
+TEST_F(ObjectCollectorTest, AddsAnObject_WhenAKnownOneOfItsLookHasAnotherSize) {
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
+  beginScan();
+  Candidate large = mug_.candidate();
+  large.size_m *= 2;
+  for (int i = 0; i < 30; ++i) EXPECT_TRUE(showCandidates({large}, {mug_}).recognized.empty());
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_NE(collector_->objects().idOf(mug_.region), mug);
+}
+
 TEST_F(ObjectCollectorTest, FindsTheObjectAtItsPlace_UnderANewRegion) {
   const ObjectId mug = showFrames({mug_}).added.at(0).id;
   for (int frame = 0; frame < 20; ++frame) static_cast<void>(showFrame({}));
@@ -108,7 +118,7 @@ TEST_F(ObjectCollectorTest, RecognizesAMissingObject_WhenItAppearsInPart) {
 }
 
 TEST_F(ObjectCollectorTest, LowSimilarityIsEnough_WhenOneObjectIsMissing) {
-  const TableItem put{6, 2, RegionId{77}};  // unlike both
+  const TableItem put{box_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
   here.has_appeared = true;
   static_cast<void>(showFrames({mug_}));
@@ -118,7 +128,7 @@ TEST_F(ObjectCollectorTest, LowSimilarityIsEnough_WhenOneObjectIsMissing) {
 }
 
 TEST_F(ObjectCollectorTest, HighSimilarityIsNeeded_WhenSeveralObjectsAreMissing) {
-  const TableItem put{6, 2, RegionId{77}};  // unlike both
+  const TableItem put{box_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
   here.has_appeared = true;
   static_cast<void>(showFrames({mug_, box_}));

@@ -49,7 +49,7 @@ class RecognizerPlacesTest : public test::ObjectCollectorFixture {
     return jar;
   }
 
-  static constexpr double kOtherLight = 0.5;
+  static constexpr double kOtherLight = 0.6;
   const std::vector<Placed> three_{
       {mug_, {0, 0, 1}}, {box_, {0.6F, 0.1F, 1.2F}}, {cup_, {-0.3F, 0.4F, 1.6F}}};
   const Placed jar_{{4, 1, RegionId{14}}, {0.9F, -0.5F, 1.4F}};

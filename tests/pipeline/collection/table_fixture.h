@@ -25,7 +25,8 @@ struct TableItem {
   int seed = 0;
   int place = 0;
   RegionId region;
-  double change = 0;  ///< fraction of another appearance that is mixed in
+  double change = 0;            ///< fraction of another appearance that is mixed in
+  bool is_upside_down = false;  ///< same colours, different appearance
 
   [[nodiscard]] cv::Rect box() const { return {5 + 50 * place, 30, 40, 50}; }
   [[nodiscard]] Eigen::Vector3f centroid() const { return {0.5F * static_cast<float>(place), 0, 1}; }
@@ -49,6 +50,7 @@ struct TableItem {
     cv::addWeighted(patches, 1 - change, others, change, 0, patches);
     const cv::Rect in_color(2 * box().x, 2 * box().y, 2 * box().width, 2 * box().height);
     cv::resize(patches, picture, in_color.size(), 0, 0, cv::INTER_CUBIC);
+    if (is_upside_down) cv::flip(picture, picture, 0);
     picture.copyTo(color(in_color));
   }
 };

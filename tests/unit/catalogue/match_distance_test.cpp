@@ -32,6 +32,10 @@ TEST(MatchDistance, UsesTheMeanColor_WhenAViewHasNoHistogram) {
   EXPECT_FLOAT_EQ(matchDistance({0.5F, 0.1F, {}, 0, {}}), 0.6F);
 }
 
+TEST(ThumbnailDistance, IsThatOfShapeAndMeanColor) {
+  EXPECT_FLOAT_EQ(thumbnailDistance({0.5F, 0.1F, 0.9F, 2, 0.9F}), 0.6F);
+}
+
 TEST(MatchDistance, SizeIsEvidence) {
   const Eigen::Vector3f size_m(0.3F, 0.2F, 0.1F);
   const auto ofRatio = [&](float ratio) {
@@ -39,8 +43,8 @@ TEST(MatchDistance, SizeIsEvidence) {
   };
   EXPECT_LT(ofRatio(1.3F), 0.1F);
   EXPECT_GT(ofRatio(1.5F), ofRatio(1.3F));
-  EXPECT_LT(ofRatio(2), 0.5F) << "the same picture may be recognised";
-  EXPECT_GT(ofRatio(3), 0.5F) << "no default limit accepts a copy of three times the size";
+  EXPECT_LT(ofRatio(2), 0.5F) << "sizes in single photographs differ so much";
+  EXPECT_GT(ofRatio(3), 0.5F) << "a copy of three times the size is another object";
 }
 
 TEST(SizeDifference, IsTheMeanOfDiagonalAndSides) {

@@ -107,6 +107,9 @@ TEST_F(ViewIndexTest, SaysWhatDiffers) {
   ASSERT_TRUE(with.colors);
   EXPECT_EQ(*with.colors, 1);
   EXPECT_NEAR(with.size, std::log(3.0), 1e-5);
+  EXPECT_FALSE(index_.hasSize({query, {0.1F, 0.1F, 0.1F}}, 0, 0.35F));
+  EXPECT_TRUE(index_.hasSize({query, {0.2F, 0.2F, 0.2F}}, 0, 0.35F));
+  EXPECT_TRUE(index_.hasSize({query, {0.1F, 0.1F, 0.1F}}, 1, 0.35F)) << "the view's size is unknown";
   const ViewDifference without = index_.difference({query, {0.1F, 0.1F, 0.1F}}, 1);
   EXPECT_FALSE(without.colors);
   EXPECT_EQ(without.size, 0) << "the view's size is unknown";
