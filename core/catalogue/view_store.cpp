@@ -129,16 +129,27 @@ Result<void> storeColorsOf(DatabaseConnection& connection, const std::vector<std
   });
 }
 
-/// Computes the colours of views that an older version described.
+/// The first views after `after` that an older version described.
+Result<std::vector<std::int64_t>> viewsWithoutColors(DatabaseConnection& connection, std::int64_t after) {
+  Result<QSqlQuery> query = connection.execute(
+      "SELECT view FROM descriptors WHERE colors IS NULL AND view > ? ORDER BY view LIMIT ?",
+      {static_cast<qlonglong>(after), kViewsOfATransaction});
+  if (!query) return fail(query.error());
+  std::vector<std::int64_t> views;
+  while (query->next()) views.push_back(query->value(0).toLongLong());
+  return views;
+}
+
+/// Computes the colours of views that an older version described. Asks for each view once, because a damaged
+/// index may name views that cannot be changed.
 Result<void> describeOlderColors(DatabaseConnection& connection) {
+  std::int64_t last = std::numeric_limits<std::int64_t>::min();
   for (;;) {
-    Result<QSqlQuery> query = connection.execute(
-        "SELECT view FROM descriptors WHERE colors IS NULL ORDER BY view LIMIT ?", {kViewsOfATransaction});
-    if (!query) return fail(query.error());
-    std::vector<std::int64_t> views;
-    while (query->next()) views.push_back(query->value(0).toLongLong());
-    if (views.empty()) return {};
-    SCANTROVE_TRY(storeColorsOf(connection, views));
+    const Result<std::vector<std::int64_t>> views = viewsWithoutColors(connection, last);
+    if (!views) return fail(views.error());
+    if (views->empty() || views->back() <= last) return {};
+    SCANTROVE_TRY(storeColorsOf(connection, *views));
+    last = views->back();
   }
 }
 
@@ -152,15 +163,18 @@ std::optional<ViewColors> readColors(const QSqlQuery& query, int column) {
   return colors;
 }
 
-/// A network's hash and vector from two columns. None: the view has no vector.
+/// A network's hash and vector from two columns. None: the view has no vector, or one of another length
+/// than 1.
 std::optional<NetworkVector> readVector(const QSqlQuery& query, int column) {
   const QByteArray bytes = query.value(column + 1).toByteArray();
   if (bytes.isEmpty() || bytes.size() % static_cast<qsizetype>(sizeof(float)) != 0) return std::nullopt;
   NetworkVector vector{query.value(column).toString().toStdString(), {}};
   vector.values.resize(static_cast<std::size_t>(bytes.size()) / sizeof(float));
   std::memcpy(vector.values.data(), bytes.constData(), static_cast<std::size_t>(bytes.size()));
-  const bool is_finite = std::ranges::all_of(vector.values, [](float value) { return std::isfinite(value); });
-  return is_finite ? std::optional(std::move(vector)) : std::nullopt;
+  double squares = 0;
+  for (const float value : vector.values) squares += static_cast<double>(value) * value;
+  const bool is_unit = std::abs(squares - 1) < 0.01;  // false for NaN
+  return is_unit ? std::optional(std::move(vector)) : std::nullopt;
 }
 
 /// False: the row is unusable.

@@ -199,8 +199,8 @@ TEST_F(ViewDescriptorsTest, KeepTheVectorOfANetwork) {
   EXPECT_EQ(all[0].descriptor.network->network, "a1b2");
   EXPECT_EQ(all[0].descriptor.network->values, (std::vector<float>{0.6F, -0.8F}));
   EXPECT_FALSE(all[1].descriptor.network);
-  for (const char* damage :
-       {"vector = x'0102'", "vector = x''", "vector = x'0000C07F'"}) {  // the last is NaN
+  for (const char* damage : {"vector = x'0102'", "vector = x''", "vector = x'0000C07F'",  // NaN
+                             "vector = x'0000004000000040'"}) {                           // length 2.8
     askSqlite(file(), QString("UPDATE view_vectors SET %1").arg(damage));
     all = descriptorsOf(*database);
     ASSERT_EQ(all.size(), 2U);
