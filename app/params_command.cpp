@@ -49,6 +49,8 @@ void printParamsAsJson(const ScanParams& params) {
       entry["range"] = {info.minimum, info.maximum};
     } else if (!info.choices.empty()) {
       entry["choices"] = info.choices;
+    } else {
+      entry["file"] = true;
     }
     entry["help"] = info.help;
     list.push_back(std::move(entry));

@@ -208,7 +208,7 @@ Result<void> setFromToml(ScanParams& params, const ParamInfo& info, const toml::
 }
 
 /// Text that is safe for the parser: toml++ 3.3 has undefined behaviour for non-ASCII letters where a space
-/// may stand. They occur only in comments, and are replaced by question marks.
+/// may stand. They occur in comments, and are replaced by question marks. The path of a file has \uXXXX.
 std::string inAscii(std::string text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());

@@ -100,6 +100,8 @@ TEST(ParamRegistry, KeepsAFileAsAnAbsolutePath) {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(loadConfig(params, folder.write("c.toml", "[recognition]\nmodel = \"/x/net.onnx\"\n")));
   EXPECT_EQ(params.detection.model, "/x/net.onnx");
+  ASSERT_TRUE(loadConfig(params, folder.write("e.toml", "[recognition]\nmodel = \"/x/m\\u00F6bel.onnx\"\n")));
+  EXPECT_EQ(params.detection.model, "/x/möbel.onnx");
   EXPECT_FALSE(loadConfig(params, folder.write("d.toml", "[recognition]\nmodel = 3\n")));
 }
 
