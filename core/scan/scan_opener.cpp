@@ -102,7 +102,16 @@ Result<void> ScanOpener::openSessionToRefine() {
   if (auto memory = refinementMemoryFrom(earlier_->metadata, earlier_->operations))
     parts_.refinement = std::move(*memory);
   parts_.objectness = earlier_->objectness;
+  dropMissingNetwork();
   return {};
+}
+
+void ScanOpener::dropMissingNetwork() {
+  std::string& network = parts_.request.params.detection.model;
+  std::error_code ignored;
+  if (network.empty() || std::filesystem::exists(network, ignored)) return;
+  listener_(MapFailed{{"The network " + network + " is not there. Objects are recognised without it.", ""}});
+  network.clear();
 }
 
 Result<void> ScanOpener::openOutput() {

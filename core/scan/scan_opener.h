@@ -32,6 +32,8 @@ class ScanOpener {
   /// Opens the source of the frames; to refine a session, the session.
   [[nodiscard]] Result<void> openFrames();
   [[nodiscard]] Result<void> openSessionToRefine();
+  /// A session may have been copied without the network of the scan.
+  void dropMissingNetwork();
   [[nodiscard]] Result<void> openOutput();
   /// Starts or continues the session. An earlier session is replaced at the first usable frame.
   [[nodiscard]] Result<void> openSession(const SourceInfo& info);
