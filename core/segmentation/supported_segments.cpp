@@ -141,8 +141,9 @@ class SupportSegmenter {
     for (int v = 0; v < box.height; ++v) {
       for (int u = 0; u < box.width; ++u) {
         const std::uint32_t id = segments_.ids[K_.indexOf(box.x + u, box.y + v)];
-        const bool is_other = std::ranges::any_of(
-            supports, [&](const Support& other) { return other.segment == id && &other != &support; });
+        const bool is_other = std::ranges::any_of(supports, [&](const Support& other) {
+          return other.segment == id && other.segment != support.segment;
+        });
         if (is_other) others(v, u) = 255;
       }
     }

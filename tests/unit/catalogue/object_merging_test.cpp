@@ -106,7 +106,9 @@ TEST_F(ObjectMergingTest, DiscardsTheOlderOfTwoViewsOfAFrame) {
   const int once[] = {1};
   EXPECT_EQ(database_->discardViews(mug, session, once), false);
   std::vector<std::int64_t> left;
-  for (const ObjectView& view : *database_->views().of(mug)) left.push_back(view.id);
+  const auto views = database_->views().of(mug);
+  ASSERT_TRUE(views) << views.error().message();
+  for (const ObjectView& view : *views) left.push_back(view.id);
   EXPECT_THAT(left, testing::ElementsAre(second, third));
   const int twice[] = {1, 1};
   EXPECT_EQ(database_->discardViews(mug, session, twice), true) << "the object has no other views";

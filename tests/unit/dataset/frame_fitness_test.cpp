@@ -129,7 +129,9 @@ TEST(DepthShift, IsUnknown_WithoutDepthEdges) {
 
 /// The middle one of three key frames has its colour 8 pixels to the right.
 void shiftMiddleImage(ScannedScene& scene) {
-  for (const KeyFrameInfo& frame : *scene.keyFrames(false)) {
+  const auto frames = scene.keyFrames(false);
+  ASSERT_TRUE(frames);
+  for (const KeyFrameInfo& frame : *frames) {
     if (frame.index != 10) continue;
     const cv::Mat image = cv::imread(frame.color_file.string());
     cv::imwrite(frame.color_file.string(), movedBy(image, {8, 0}), {cv::IMWRITE_JPEG_QUALITY, 92});

@@ -144,7 +144,7 @@ TEST(SegmentOnSupports, ThingsOnAClothAreSegmentsOfTheirOwn) {
 
 TEST(SegmentOnSupports, SheetUnderABoxIsOneSegment) {
   TableFrame frame;
-  const cv::Rect sheet(70, 70, 90, 90), picture(130, 80, 20, 20);
+  const cv::Rect sheet(80, 80, 70, 60), picture(125, 90, 18, 18);  // 0.05 m^2
   frame.forEach(sheet, [&](std::size_t pixel) {
     if (frame.segments.ids[pixel] != TableFrame::kBox) frame.lab[pixel] = kThingColor;
   });
