@@ -18,9 +18,9 @@ constexpr double kMinPiece_px = 200;   // of a component of several objects
 constexpr int kSmallSegment_px = 600;  // smaller segments in a support are holes' rims
 constexpr double kMinCarried_px = 60;  // raised pixels of what carries something
 
-/// Seen area from which a flat part that carries something is a cloth or a tray, with objects of their own.
-/// Smaller ones are objects themselves: a sheet under a cup.
-constexpr double kMinCarrier_m2 = 0.06;
+/// Seen area, square metres, from which a flat part that carries something is a cloth or a tray, with objects
+/// of their own. Smaller ones are objects themselves: a sheet under a cup.
+constexpr double kMinCarrierArea = 0.06;
 
 /// Numbers of new segments. 0: the pixel keeps its segment.
 class NewSegments {
@@ -111,7 +111,7 @@ class SupportSegmenter {
     const cv::Point middle = images.box.tl() + (component.box.tl() + component.box.br()) / 2;
     const double z_m = surface.depthAt((static_cast<float>(middle.x) - K_.cx) / K_.fx,
                                        (static_cast<float>(middle.y) - K_.cy) / K_.fy, 0);
-    return component.area_px * z_m * z_m / (double{K_.fx} * K_.fy) >= kMinCarrier_m2;
+    return component.area_px * z_m * z_m / (double{K_.fx} * K_.fy) >= kMinCarrierArea;
   }
 
   /// The component as a support. Its segment by depth is the one of most of its flat pixels.
