@@ -16,8 +16,8 @@ constexpr float kLeastSharpness = 0.3F;  ///< of the object's sharpest view
 /// Value of an unknown sharpness relative to the sharpest view, and of an outline that was clear.
 constexpr float kUnknownSharpness = 0.5F, kClearOutline = 0.9F;
 
-/// A maximal set of views at half of an angle has at least as many members as any set at the whole angle,
-/// because each of its members is near to at most one member of the other.
+/// A maximal set of views at half an angle is no smaller than any set at the whole angle: each of its members
+/// is near to at most one of theirs.
 constexpr std::array<float, 3> kAngles_deg{kViewAngle_deg, kViewAngle_deg / 2, kViewAngle_deg / 4};
 
 class ViewScores {
