@@ -4,27 +4,22 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
+#include <numeric>
+#include <utility>
+
+#include "core/editing/surface_colors.h"
+#include "core/geometry/position_order.h"
 
 namespace scantrove {
 namespace {
 
-struct VoxelHash {
-  std::size_t operator()(const Eigen::Vector3i& v) const {
-    const auto of = [](int value, std::uint64_t factor) {
-      return static_cast<std::uint32_t>(value) * factor;
-    };
-    return of(v.x(), 73856093) ^ of(v.y(), 19349669) ^ of(v.z(), 83492791);
-  }
-};
-
-/// The half of a voxel's 26 neighbours that follow it in order.
+/// The half of a voxel's 26 neighbours that follow it in PositionOrder, in that order.
 std::vector<Eigen::Vector3i> laterNeighbors() {
   std::vector<Eigen::Vector3i> steps;
-  for (int z = -1; z <= 1; ++z) {
+  for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
-      for (int x = -1; x <= 1; ++x) {
-        if (std::array{z, y, x} > std::array{0, 0, 0}) steps.emplace_back(x, y, z);
+      for (int z = -1; z <= 1; ++z) {
+        if (std::array{x, y, z} > std::array{0, 0, 0}) steps.emplace_back(x, y, z);
       }
     }
   }
@@ -40,6 +35,48 @@ float weightBetween(const SurfaceVoxel& i, const SurfaceVoxel& j) {
   return convex ? concave * concave : concave;
 }
 
+/// A voxel's neighbours at one step follow each other as the voxels do, so one pass along both finds them.
+std::vector<SurfaceGraph::Edge> edgesOf(const std::vector<SurfaceVoxel>& voxels) {
+  const PositionOrder comes_first;
+  std::vector<std::uint32_t> order(voxels.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto position = [&](std::size_t place) -> const Eigen::Vector3i& { return voxels[order[place]].voxel; };
+  const bool is_sorted = std::ranges::is_sorted(voxels, comes_first, &SurfaceVoxel::voxel);
+  if (!is_sorted)
+    std::ranges::sort(order, comes_first, [&](std::uint32_t i) -> const Eigen::Vector3i& { return voxels[i].voxel; });
+  const std::vector<Eigen::Vector3i> steps = laterNeighbors();
+  std::vector<std::size_t> at(steps.size(), 0);  // first place that does not come before the step's end
+  std::vector<SurfaceGraph::Edge> edges;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      const Eigen::Vector3i end = position(i) + steps[s];
+      while (at[s] < order.size() && comes_first(position(at[s]), end)) ++at[s];
+      if (at[s] == order.size() || position(at[s]) != end) continue;
+      const auto [a, b] = std::minmax(order[i], order[at[s]]);
+      edges.push_back({a, b, weightBetween(voxels[a], voxels[b]), steps[s].cast<float>().norm()});
+    }
+  }
+  if (!is_sorted)
+    std::ranges::sort(edges, {}, [](const SurfaceGraph::Edge& edge) { return std::pair(edge.a, edge.b); });
+  return edges;
+}
+
+void listNeighbors(SurfaceGraph& graph) {
+  graph.first.assign(graph.voxels.size() + 1, 0);
+  for (const SurfaceGraph::Edge& edge : graph.edges) {
+    ++graph.first[edge.a + 1];
+    ++graph.first[edge.b + 1];
+  }
+  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+  graph.neighbors.resize(2 * graph.edges.size());
+  std::vector<std::uint32_t> next(graph.first.begin(), graph.first.end() - 1);
+  for (std::uint32_t i = 0; i < graph.edges.size(); ++i) {
+    const auto& [a, b] = std::pair(graph.edges[i].a, graph.edges[i].b);
+    graph.neighbors[next[a]++] = {b, i};
+    graph.neighbors[next[b]++] = {a, i};
+  }
+}
+
 Eigen::Vector3f centerOf(const SurfaceVoxel& voxel, float voxel_size_m) {
   return (voxel.voxel.cast<float>() + Eigen::Vector3f::Constant(0.5F)) * voxel_size_m;
 }
@@ -49,21 +86,9 @@ Eigen::Vector3f centerOf(const SurfaceVoxel& voxel, float voxel_size_m) {
 SurfaceGraph SurfaceGraph::of(std::vector<SurfaceVoxel> voxels) {
   SurfaceGraph graph;
   graph.voxels = std::move(voxels);
-  std::unordered_map<Eigen::Vector3i, std::uint32_t, VoxelHash> place;
-  place.reserve(graph.voxels.size());
-  for (std::uint32_t i = 0; i < graph.voxels.size(); ++i) place[graph.voxels[i].voxel] = i;
-  const std::vector<Eigen::Vector3i> steps = laterNeighbors();
-  for (std::uint32_t i = 0; i < graph.voxels.size(); ++i) {
-    for (const Eigen::Vector3i& step : steps) {
-      const auto found = place.find(graph.voxels[i].voxel + step);
-      if (found == place.end()) continue;
-      const auto [a, b] = std::minmax(i, found->second);
-      graph.edges.push_back(
-          {a, b, weightBetween(graph.voxels[a], graph.voxels[b]), step.cast<float>().norm()});
-    }
-  }
-  std::ranges::sort(graph.edges,
-                    [](const Edge& x, const Edge& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+  graph.edges = edgesOf(graph.voxels);
+  listNeighbors(graph);
+  addColors(graph);
   return graph;
 }
 

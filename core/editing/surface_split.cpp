@@ -6,8 +6,10 @@
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
-#include <queue>
 #include <utility>
+
+#include "core/editing/surface_colors.h"
+#include "core/editing/surface_paths.h"
 
 namespace scantrove {
 namespace {
@@ -18,54 +20,92 @@ constexpr float kNoise_rad = 0.15F;
 constexpr float kStep_rad = 0.03F;
 /// Turns from here on make an edge cheap to cut.
 constexpr float kFold_rad = 0.25F;
+/// Colour steps below this are noise.
+constexpr float kPlain = 0.7F;
+/// Colour steps from here on make an edge cheap to cut.
+constexpr float kColorEdge = 2;
+/// Path cost of a full colour edge, in radians of turn.
+constexpr float kColorEdge_rad = 0.6F;
 /// Cost of cutting an edge across the sharpest fold, relative to a smooth surface.
 constexpr float kMinCapacity = 0.01F;
 /// Cost of assigning a voxel to the farther side, relative to an edge on a smooth surface.
 constexpr float kLeaning = 0.2F;
+/// How much nearer a voxel is to the side whose colours it has and the other has not.
+constexpr float kColorLeaning = 0.3F;
 constexpr float kCertain = 1e6F;
 
-struct Neighbor {
-  std::uint32_t voxel;
-  float cost;
-};
-
-std::vector<std::vector<Neighbor>> neighborsOf(const SurfaceGraph& graph) {
-  std::vector<std::vector<Neighbor>> neighbors(graph.voxels.size());
-  for (const SurfaceGraph::Edge& edge : graph.edges) {
-    const float cost = kStep_rad * edge.length + std::max(0.0F, turnOf(edge) - kNoise_rad);
-    neighbors[edge.a].push_back({edge.b, cost});
-    neighbors[edge.b].push_back({edge.a, cost});
-  }
-  return neighbors;
+/// 0 on plain surface .. 1 across a colour edge.
+float colorEdge(const SurfaceGraph::Edge& edge) {
+  const float step = std::max(0.0F, edge.color_step - kPlain) / kColorEdge;
+  return 1 - std::exp(-step * step);
 }
 
-/// Length of the shortest path along the surface from the nearest of `from` (Dijkstra).
-std::vector<float> distancesFrom(std::span<const std::uint32_t> from,
-                                 const std::vector<std::vector<Neighbor>>& neighbors) {
-  std::vector<float> distances(neighbors.size(), std::numeric_limits<float>::infinity());
-  using Front = std::pair<float, std::uint32_t>;
-  std::priority_queue<Front, std::vector<Front>, std::greater<>> front;
-  for (const std::uint32_t voxel : from) {
-    distances[voxel] = 0;
-    front.emplace(0.0F, voxel);
+std::vector<float> pathCosts(const SurfaceGraph& graph) {
+  std::vector<float> costs;
+  costs.reserve(graph.edges.size());
+  for (const SurfaceGraph::Edge& edge : graph.edges) {
+    costs.push_back(kStep_rad * edge.length + std::max(0.0F, turnOf(edge) - kNoise_rad) +
+                    kColorEdge_rad * colorEdge(edge));
   }
-  while (!front.empty()) {
-    const auto [distance, voxel] = front.top();
-    front.pop();
-    if (distance > distances[voxel]) continue;
-    for (const Neighbor& next : neighbors[voxel]) {
-      const float way = distance + next.cost;
-      if (way >= distances[next.voxel]) continue;
-      distances[next.voxel] = way;
-      front.emplace(way, next.voxel);
-    }
-  }
-  return distances;
+  return costs;
 }
 
 float capacityOf(const SurfaceGraph::Edge& edge) {
   const float turn = turnOf(edge) / kFold_rad;
-  return std::exp(-turn * turn) + kMinCapacity;
+  return std::exp(-turn * turn) * (1 - colorEdge(edge)) + kMinCapacity;
+}
+
+/// How much nearer each voxel is to the voxels of one side than to those of the other.
+class Nearness {
+ public:
+  Nearness(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
+           std::span<const std::uint32_t> there)
+      : graph_(graph), here_(MainColors::of(graph, here)), there_(MainColors::of(graph, there)) {
+    const std::vector<float> costs = pathCosts(graph);
+    to_here_ = pathLengths(graph, here, costs);
+    to_there_ = pathLengths(graph, there, costs);
+  }
+  [[nodiscard]] bool isReached(std::uint32_t voxel) const {
+    return std::isfinite(to_here_[voxel]) || std::isfinite(to_there_[voxel]);
+  }
+  /// 0 at `here` .. 1 at `there`, of a voxel that is reached.
+  [[nodiscard]] float of(std::uint32_t voxel) const {
+    if (!std::isfinite(to_here_[voxel])) return 1;
+    if (!std::isfinite(to_there_[voxel])) return 0;
+    const float both = to_here_[voxel] + to_there_[voxel];
+    const float by_path = both > 0 ? to_here_[voxel] / both : 0;
+    const bool differs_here = here_.differFrom(graph_, voxel), differs_there = there_.differFrom(graph_, voxel);
+    if (differs_here == differs_there) return by_path;
+    return std::clamp(by_path + (differs_here ? kColorLeaning : -kColorLeaning), 0.0F, 1.0F);
+  }
+
+ private:
+  const SurfaceGraph& graph_;
+  MainColors here_, there_;
+  std::vector<float> to_here_, to_there_;
+};
+
+/// Gives pieces of a side that hold none of its given voxels to the other side, if that surrounds them.
+void assignIslands(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
+                   std::span<const std::uint32_t> there, std::vector<std::uint8_t>& side) {
+  for (const std::uint8_t of_side : {0, 1}) {
+    std::vector<std::uint8_t> belongs(side.size());
+    std::ranges::transform(side, belongs.begin(), [&](std::uint8_t at) { return at == of_side ? 1 : 0; });
+    const SurfacePieces pieces = piecesOf(graph, belongs);
+    std::vector<std::uint8_t> stays(pieces.sizes.size(), 0), touches(pieces.sizes.size(), 0);
+    for (const std::uint32_t voxel : of_side == 0 ? here : there) {
+      if (belongs[voxel] != 0) stays[pieces.piece[voxel]] = 1;
+    }
+    for (const SurfaceGraph::Edge& edge : graph.edges) {
+      if (belongs[edge.a] == belongs[edge.b]) continue;
+      touches[pieces.piece[belongs[edge.a] != 0 ? edge.a : edge.b]] = 1;
+    }
+    for (std::size_t voxel = 0; voxel < side.size(); ++voxel) {
+      if (belongs[voxel] == 0) continue;
+      const std::uint32_t piece = pieces.piece[voxel];
+      if (stays[piece] == 0 && touches[piece] != 0) side[voxel] = 1 - of_side;
+    }
+  }
 }
 
 /// The components of voxels.
@@ -100,25 +140,14 @@ class Components {
 
 std::vector<std::uint8_t> splitSurface(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
                                        std::span<const std::uint32_t> there) {
-  const auto neighbors = neighborsOf(graph);
-  const std::vector<float> to_here = distancesFrom(here, neighbors);
-  const std::vector<float> to_there = distancesFrom(there, neighbors);
-  const auto isReached = [&](std::size_t voxel) {
-    return std::isfinite(to_here[voxel]) || std::isfinite(to_there[voxel]);
-  };
-
+  const Nearness nearness(graph, here, there);
   cv::detail::GCGraph<float> flow(static_cast<unsigned>(graph.voxels.size()),
                                   static_cast<unsigned>(2 * graph.edges.size()));
-  for (std::size_t voxel = 0; voxel < graph.voxels.size(); ++voxel) {
+  for (std::uint32_t voxel = 0; voxel < graph.voxels.size(); ++voxel) {
     const int vertex = flow.addVtx();
-    if (!isReached(voxel)) continue;
-    float nearness = 0;  // 0 at `here` .. 1 at `there`
-    if (!std::isfinite(to_here[voxel])) {
-      nearness = 1;
-    } else if (std::isfinite(to_there[voxel]) && to_here[voxel] + to_there[voxel] > 0) {
-      nearness = to_here[voxel] / (to_here[voxel] + to_there[voxel]);
-    }
-    flow.addTermWeights(vertex, kLeaning * (1 - nearness), kLeaning * nearness);
+    if (!nearness.isReached(voxel)) continue;
+    const float to_there = nearness.of(voxel);
+    flow.addTermWeights(vertex, kLeaning * (1 - to_there), kLeaning * to_there);
   }
   for (const std::uint32_t voxel : here) flow.addTermWeights(static_cast<int>(voxel), kCertain, 0);
   for (const std::uint32_t voxel : there) flow.addTermWeights(static_cast<int>(voxel), 0, kCertain);
@@ -128,9 +157,10 @@ std::vector<std::uint8_t> splitSurface(const SurfaceGraph& graph, std::span<cons
   }
   flow.maxFlow();
   std::vector<std::uint8_t> side(graph.voxels.size(), 0);
-  for (std::size_t voxel = 0; voxel < side.size(); ++voxel) {
-    if (isReached(voxel)) side[voxel] = flow.inSourceSegment(static_cast<int>(voxel)) ? 0 : 1;
+  for (std::uint32_t voxel = 0; voxel < side.size(); ++voxel) {
+    if (nearness.isReached(voxel)) side[voxel] = flow.inSourceSegment(static_cast<int>(voxel)) ? 0 : 1;
   }
+  assignIslands(graph, here, there, side);
   return side;
 }
 
