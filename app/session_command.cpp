@@ -1,7 +1,9 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/command.h"
 #include "app/core_application.h"
@@ -136,15 +138,16 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
   addOff(*addRegions(add("reject", "Mark as not an object", edit(OperationKind::reject))), *arguments);
   addRegions(add("finer", "Split a region further", edit(OperationKind::finer)));
   addRegions(add("coarser", "Merge a region with its most likely neighbour", edit(OperationKind::coarser)));
-  CLI::App* cut_command = add("cut", "Split a region between two sets of points", cutRegion);
-  for (const auto& [option, texts] :
-       {std::pair("--here", &arguments->here), std::pair("--there", &arguments->there)}) {
-    cut_command->add_option(option, *texts, "frame, column and row of a point; may be repeated")
-        ->required()
+  CLI::App* cut_command = add("cut", "Split a region between two sets of points, or around one", cutRegion);
+  const auto addPoints = [&](const char* option, std::vector<std::string>& texts, const char* help) {
+    return cut_command->add_option(option, texts, help)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->type_name("N:x,y");
-  }
+  };
+  addPoints("--here", arguments->here, "frame, column and row of a point; may be repeated")->required();
+  addPoints("--there", arguments->there,
+            "a point of the other part; may be repeated (default: what surrounds --here in other colours)");
   const auto addSteps = [&](CLI::App* sub) {
     sub->add_option("--steps", arguments->steps, "number of operations")
         ->check(CLI::PositiveNumber)

@@ -15,8 +15,8 @@ enum class OperationKind {
   name,        ///< sets the region's name and category
   accept,      ///< the same, with the program's proposal
   join,        ///< makes the regions one object, regardless of evidence
-  cut,         ///< separates `here` from `there`, regardless of evidence
-  finer,       ///< splits this region as the segmentation does at a smaller k
+  cut,         ///< separates `here` from `there`, along folds and colour edges, regardless of evidence
+  finer,       ///< splits this region as the segmentation does at a smaller k, or by colour
   coarser,     ///< joins this region with its most likely neighbour
   background,  ///< wall, floor, table: not an object; by default not in data sets
   object,      ///< an object, complete or not
@@ -36,12 +36,13 @@ enum class EditDirection { done, undone, redone };
 /// An operation as data.
 struct Operation {
   OperationKind kind = OperationKind::name;
-  std::vector<RegionId> regions;                  ///< join: the first keeps its identity; cut: the one to cut
-  std::string name = {}, category = {};           ///< of name and accept; empty removes it
-  bool on = true;                                 ///< of background, object and reject; false takes it back
-  std::vector<Eigen::Vector3f> here_world = {};   ///< of a cut: places on the surface, metres
-  std::vector<Eigen::Vector3f> there_world = {};  ///< of a cut: places on the other side, metres
-  int frame = -1;                                 ///< number of frames scanned before it
+  std::vector<RegionId> regions;                 ///< join: the first keeps its identity; cut: the one to cut
+  std::string name = {}, category = {};          ///< of name and accept; empty removes it
+  bool on = true;                                ///< of background, object and reject; false takes it back
+  std::vector<Eigen::Vector3f> here_world = {};  ///< of a cut: places on the surface, metres
+  /// Of a cut: places on the other side, metres; none: what surrounds `here` in other colours.
+  std::vector<Eigen::Vector3f> there_world = {};
+  int frame = -1;  ///< number of frames scanned before it
 
   bool operator==(const Operation&) const = default;
 };

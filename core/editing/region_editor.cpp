@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/editing/stroke_surroundings.h"
 #include "core/editing/surface_split.h"
 #include "core/labeling/region_partition.h"
 
@@ -15,16 +16,20 @@ namespace {
 /// Radius around a given place whose voxels belong to it.
 constexpr float kPointed_m = 0.012F;
 /// finer: lowers the borders' log-odds, up to kLessTimes, until the region splits; then halves k, up to
-/// kHalvings times.
+/// kHalvings times, first along folds alone. Colours, which vary more, are cut with kColorTimes that k.
 constexpr float kFirstLess = 0.5F;
 constexpr int kLessTimes = 6;
 constexpr float kFirstThreshold = 0.3F;
 constexpr int kHalvings = 10;
+constexpr float kColorTimes = 3;
 
 std::string called(RegionId region) { return "region " + std::to_string(region.value); }
 
 /// True if the operation joins regions.
 bool isJoining(OperationKind kind) { return kind == OperationKind::join || kind == OperationKind::coarser; }
+
+/// True if a cut separates its only strokes from what surrounds them.
+bool isBySurroundings(const Operation& cut) { return cut.there_world.empty(); }
 
 /// Pairs (into, from) of a join. Its moves may be incomplete, because a region's only fragment may be gone.
 std::set<std::pair<RegionId, RegionId>> joinedBy(const OperationLog::Entry& entry) {
@@ -147,17 +152,23 @@ Result<void> RegionEditor::cut(Work& work) {
     return std::vector<std::uint32_t>(voxels.begin(), voxels.end());
   };
   const std::vector<std::uint32_t> here = voxelsAt(work.operation.here_world);
-  std::vector<std::uint32_t> there = voxelsAt(work.operation.there_world);
+  std::vector<std::uint32_t> there =
+      isBySurroundings(work.operation) ? surroundingsOf(graph, here) : voxelsAt(work.operation.there_world);
   std::erase_if(there, [&](std::uint32_t voxel) { return std::ranges::binary_search(here, voxel); });
   if (here.empty() || there.empty()) {
-    return fail("The two places of the cut are one place of " + called(region) + ".",
-                "Point at two places that lie farther apart.");
+    return isBySurroundings(work.operation)
+               ? fail("Nothing around the stroke on " + called(region) + " differs from it in colour.",
+                      "Draw a second stroke over the part that stays.")
+               : fail("The two places of the cut are one place of " + called(region) + ".",
+                      "Point at two places that lie farther apart.");
   }
-  const std::vector<std::uint8_t> side = splitSurface(graph, here, there);
-  const std::vector<Fragments> parts =
-      divideVoxels(region, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
+  // Places that nothing connects with a single stroke stay with its surroundings, else with `here`.
+  const bool is_reversed = isBySurroundings(work.operation);
+  const auto side = is_reversed ? splitSurface(graph, there, here) : splitSurface(graph, here, there);
+  const auto parts = divideVoxels(region, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
   divide(work, parts);
   work.outcome.regions = {table_.regionOf(parts[0].front()), table_.regionOf(parts[1].front())};
+  if (is_reversed) std::swap(work.outcome.regions[0], work.outcome.regions[1]);
   return {};
 }
 
@@ -180,11 +191,14 @@ Result<void> RegionEditor::finer(Work& work) {
       SurfaceGraph::of(map_.surfaceOf(table_.fragmentsOf(region), work.operation.here_world));
   float k = kFirstThreshold;
   for (int i = 0; i < kHalvings; ++i, k /= 2) {
-    const std::vector<std::uint32_t> part = segmentSurface(graph, k, kSmallFragmentVoxels);
-    const std::size_t parts = part.empty() ? 0 : *std::ranges::max_element(part) + std::size_t{1};
-    if (parts < 2) continue;
-    divide(work, divideVoxels(region, graph, part, parts));
-    return {};
+    for (const auto& [cues, times] :
+         {std::pair(SurfaceCues::folds, 1.0F), std::pair(SurfaceCues::folds_and_colors, kColorTimes)}) {
+      const auto part = segmentSurface(graph, times * k, kSmallFragmentVoxels, cues);
+      const std::size_t parts = part.empty() ? 0 : *std::ranges::max_element(part) + std::size_t{1};
+      if (parts < 2) continue;
+      divide(work, divideVoxels(region, graph, part, parts));
+      return {};
+    }
   }
   return fail("Nothing splits " + called(region) + " further.", "Split it between two strokes or points.");
 }

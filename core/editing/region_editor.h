@@ -27,8 +27,9 @@ class RegionEditor {
   };
 
   /// Names are stored as checkedLabelName and checkedCategoryName return them.
-  /// On an error nothing changes: unknown region, invalid name, a cut with both sides at one place, nothing
-  /// to split, ...
+  /// A cut without places on the other side separates what the given places show from what surrounds them in
+  /// other colours. On an error nothing changes: unknown region, invalid name, a cut with both sides at one
+  /// place, nothing to split, ...
   [[nodiscard]] Result<Outcome> apply(const Operation& given, const LabelingParams& params);
   /// Undoes only the newest operation. Later changes by frames stay. Fragments that frames split off since,
   /// or added to a part of a cut, move with the rest of their region. Error if there is no operation.

@@ -7,10 +7,10 @@
 
 namespace scantrove {
 
-/// The voxels that surround what one stroke covers: the other seeds of a split by a single stroke. They differ
-/// from all main colours under the stroke, and every path to them crosses a colour edge. Small pieces among
-/// them that other surroundings exceed are left out, because print and pictures are part of a page. Rising;
-/// empty if there are none, or if the stroke or the graph has no colour. Any thread.
+/// The voxels that surround what one stroke covers: the other seeds of a split by a single stroke. They
+/// differ from all main colours under the stroke, and every path to them crosses a colour edge. Small pieces
+/// among them that other surroundings exceed are left out, because print and pictures are part of a page.
+/// Rising; empty if there are none, or if the stroke or the graph has no colour. Any thread.
 [[nodiscard]] std::vector<std::uint32_t> surroundingsOf(const SurfaceGraph& graph,
                                                         std::span<const std::uint32_t> stroke);
 

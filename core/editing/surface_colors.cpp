@@ -31,6 +31,15 @@ constexpr float kDifferent_lab = 5;
 
 bool isKnown(const Eigen::Vector3f& tint) { return tint.x() > 0; }
 
+constexpr float kUnknown = -1;
+
+float squaredDifference(const Eigen::Vector3f& one, const Eigen::Vector3f& other) {
+  const Eigen::Vector3f step = other - one, both = one + other;
+  const float square = step.squaredNorm(), along = step.dot(both);
+  const float shade = along * along / std::max(both.squaredNorm(), 1.0F);
+  return std::max(0.0F, square - shade) + kShade * kShade * shade;
+}
+
 /// Voxels without colour take the mean of their neighbours.
 void fillUnknown(const SurfaceGraph& graph, std::vector<Eigen::Vector3f>& tints) {
   for (int i = 0; i < kFillings; ++i) {
@@ -53,19 +62,25 @@ void fillUnknown(const SurfaceGraph& graph, std::vector<Eigen::Vector3f>& tints)
 
 /// The value at `share` (0 .. 1) of the way from the least to the largest; reorders them.
 float quantile(std::vector<float>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
 
 /// The median difference between each voxel and its neighbours.
 std::vector<float> medianDifferences(const SurfaceGraph& graph, std::span<const Eigen::Vector3f> tints) {
+  std::vector<float> of_edges;
+  of_edges.reserve(graph.edges.size());
+  for (const SurfaceGraph::Edge& edge : graph.edges) {
+    const Eigen::Vector3f &a = tints[edge.a], &b = tints[edge.b];
+    of_edges.push_back(isKnown(a) && isKnown(b) ? tintDifference(a, b) : kUnknown);
+  }
   std::vector<float> medians(tints.size(), 0), differences;
   for (std::uint32_t voxel = 0; voxel < tints.size(); ++voxel) {
     differences.clear();
     for (const SurfaceGraph::Neighbor& next : graph.neighborsOf(voxel)) {
-      if (isKnown(tints[voxel]) && isKnown(tints[next.voxel]))
-        differences.push_back(tintDifference(tints[voxel], tints[next.voxel]));
+      if (of_edges[next.edge] != kUnknown) differences.push_back(of_edges[next.edge]);
     }
     if (!differences.empty()) medians[voxel] = quantile(differences, 0.5);
   }
@@ -96,30 +111,27 @@ std::vector<float> averagedNearby(const SurfaceGraph& graph, const std::vector<f
 
 /// One step of smoothing that keeps edges (Tomasi and Manduchi 1998, with a rational kernel).
 std::vector<Eigen::Vector3f> smoothed(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& tints) {
-  std::vector<Eigen::Vector3f> result(tints.size());
-  for (std::uint32_t voxel = 0; voxel < tints.size(); ++voxel) {
-    Eigen::Vector3f sum = tints[voxel];
-    float weights = 1;
-    for (const SurfaceGraph::Neighbor& next : graph.neighborsOf(voxel)) {
-      if (!isKnown(tints[voxel]) || !isKnown(tints[next.voxel])) continue;
-      const float limit = kSmoothed * std::min(graph.color_variation[voxel], graph.color_variation[next.voxel]);
-      const float x = tintDifference(tints[voxel], tints[next.voxel]) / limit;
-      const float weight = 1 / ((1 + x * x) * (1 + x * x));
-      sum += weight * tints[next.voxel];
-      weights += weight;
-    }
-    result[voxel] = sum / weights;
+  std::vector<Eigen::Vector3f> sums = tints;
+  std::vector<float> weights(tints.size(), 1);
+  for (const SurfaceGraph::Edge& edge : graph.edges) {
+    const Eigen::Vector3f &a = tints[edge.a], &b = tints[edge.b];
+    if (!isKnown(a) || !isKnown(b)) continue;
+    const float limit = kSmoothed * std::min(graph.color_variation[edge.a], graph.color_variation[edge.b]);
+    const float fall = limit * limit / (limit * limit + squaredDifference(a, b));
+    const float weight = fall * fall;
+    sums[edge.a] += weight * b;
+    sums[edge.b] += weight * a;
+    weights[edge.a] += weight;
+    weights[edge.b] += weight;
   }
-  return result;
+  for (std::size_t voxel = 0; voxel < sums.size(); ++voxel) sums[voxel] /= weights[voxel];
+  return sums;
 }
 
 }  // namespace
 
 float tintDifference(const Eigen::Vector3f& one, const Eigen::Vector3f& other) {
-  const Eigen::Vector3f step = other - one, both = one + other;
-  const float square = step.squaredNorm(), along = step.dot(both);
-  const float shade = along * along / std::max(both.squaredNorm(), 1.0F);
-  return std::sqrt(std::max(0.0F, square - shade) + kShade * kShade * shade);
+  return std::sqrt(squaredDifference(one, other));
 }
 
 std::vector<Eigen::Vector3f> tintsOf(std::span<const SurfaceVoxel> voxels) {
@@ -127,7 +139,8 @@ std::vector<Eigen::Vector3f> tintsOf(std::span<const SurfaceVoxel> voxels) {
   for (const SurfaceVoxel& voxel : voxels) {
     if (!voxel.rgb) continue;
     const auto& [r, g, b] = *voxel.rgb;
-    colors.emplace_back(static_cast<float>(r) / 255, static_cast<float>(g) / 255, static_cast<float>(b) / 255);
+    colors.emplace_back(static_cast<float>(r) / 255, static_cast<float>(g) / 255,
+                        static_cast<float>(b) / 255);
   }
   std::vector<Eigen::Vector3f> tints(voxels.size(), Eigen::Vector3f::Zero());
   if (colors.empty()) return tints;
@@ -178,13 +191,13 @@ bool MainColors::differFrom(const SurfaceGraph& graph, std::uint32_t voxel) cons
   if (tints.empty() || !isKnown(graph.tints[voxel])) return false;
   const float limit =
       std::max(kDifferent_lab, kDifferent * std::max(variation, graph.color_variation[voxel]));
-  return std::ranges::all_of(tints, [&](const Eigen::Vector3f& tint) {
-    return tintDifference(tint, graph.tints[voxel]) > limit;
-  });
+  return std::ranges::all_of(
+      tints, [&](const Eigen::Vector3f& tint) { return tintDifference(tint, graph.tints[voxel]) > limit; });
 }
 
 void addColors(SurfaceGraph& graph) {
-  if (std::ranges::none_of(graph.voxels, [](const SurfaceVoxel& voxel) { return voxel.rgb.has_value(); })) return;
+  if (std::ranges::none_of(graph.voxels, [](const SurfaceVoxel& voxel) { return voxel.rgb.has_value(); }))
+    return;
   graph.tints = tintsOf(graph.voxels);
   std::vector<float> variation = medianDifferences(graph, graph.tints);
   for (int i = 0; i < kQuartiles; ++i) variation = lowerQuartilesNearby(graph, variation);

@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "core/editing/surface_colors.h"
-#include "core/geometry/position_order.h"
 
 namespace scantrove {
 namespace {
+
+/// Edges for each voxel of a surface that is about two voxels thick.
+constexpr std::size_t kUsualEdges = 8;
 
 /// The half of a voxel's 26 neighbours that follow it in PositionOrder, in that order.
 std::vector<Eigen::Vector3i> laterNeighbors() {
@@ -37,21 +39,26 @@ float weightBetween(const SurfaceVoxel& i, const SurfaceVoxel& j) {
 
 /// A voxel's neighbours at one step follow each other as the voxels do, so one pass along both finds them.
 std::vector<SurfaceGraph::Edge> edgesOf(const std::vector<SurfaceVoxel>& voxels) {
-  const PositionOrder comes_first;
+  const auto comesFirst = [](const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+  };
   std::vector<std::uint32_t> order(voxels.size());
   std::iota(order.begin(), order.end(), 0U);
-  const auto position = [&](std::size_t place) -> const Eigen::Vector3i& { return voxels[order[place]].voxel; };
-  const bool is_sorted = std::ranges::is_sorted(voxels, comes_first, &SurfaceVoxel::voxel);
-  if (!is_sorted)
-    std::ranges::sort(order, comes_first, [&](std::uint32_t i) -> const Eigen::Vector3i& { return voxels[i].voxel; });
-  const std::vector<Eigen::Vector3i> steps = laterNeighbors();
-  std::vector<std::size_t> at(steps.size(), 0);  // first place that does not come before the step's end
+  const bool is_sorted = std::ranges::is_sorted(voxels, comesFirst, &SurfaceVoxel::voxel);
+  const auto positionOf = [&](std::uint32_t i) -> const Eigen::Vector3i& { return voxels[i].voxel; };
+  if (!is_sorted) std::ranges::sort(order, comesFirst, positionOf);
+  std::vector<Eigen::Vector3i> positions(order.size());
+  std::ranges::transform(order, positions.begin(), positionOf);
+
   std::vector<SurfaceGraph::Edge> edges;
+  edges.reserve(kUsualEdges * voxels.size());
+  const std::vector<Eigen::Vector3i> steps = laterNeighbors();
+  std::vector<std::size_t> at(steps.size(), 0);  // the first position that does not come before a step's end
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t s = 0; s < steps.size(); ++s) {
-      const Eigen::Vector3i end = position(i) + steps[s];
-      while (at[s] < order.size() && comes_first(position(at[s]), end)) ++at[s];
-      if (at[s] == order.size() || position(at[s]) != end) continue;
+      const Eigen::Vector3i end = positions[i] + steps[s];
+      while (at[s] < positions.size() && comesFirst(positions[at[s]], end)) ++at[s];
+      if (at[s] == positions.size() || positions[at[s]] != end) continue;
       const auto [a, b] = std::minmax(order[i], order[at[s]]);
       edges.push_back({a, b, weightBetween(voxels[a], voxels[b]), steps[s].cast<float>().norm()});
     }

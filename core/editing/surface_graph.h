@@ -32,11 +32,11 @@ struct SurfaceGraph {
     std::uint32_t voxel = 0, edge = 0;
   };
   std::vector<SurfaceVoxel> voxels;
-  std::vector<Edge> edges;               ///< by a, then b
-  std::vector<std::uint32_t> first;      ///< voxels.size() + 1: voxel i has neighbors [first[i], first[i + 1])
-  std::vector<Neighbor> neighbors;       ///< of voxel after voxel, by edge
-  std::vector<Eigen::Vector3f> tints;    ///< tintsOf(), smoothed; empty if no voxel has a colour
-  std::vector<float> color_variation;    ///< of each voxel, in Lab units; empty like `tints`
+  std::vector<Edge> edges;             ///< by a, then b
+  std::vector<std::uint32_t> first;    ///< voxels.size() + 1: voxel i has neighbors [first[i], first[i + 1])
+  std::vector<Neighbor> neighbors;     ///< of voxel after voxel, by edge
+  std::vector<Eigen::Vector3f> tints;  ///< tintsOf(), smoothed; empty if no voxel has a colour
+  std::vector<float> color_variation;  ///< of each voxel, in Lab units; empty like `tints`
 
   /// Builds the graph in the order of `voxels`, which must be unique. It is quick if they are in the order of
   /// their positions: x, then y, then z.

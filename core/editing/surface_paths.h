@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// Length of the shortest path to each voxel from the nearest of `from` (Dijkstra); infinite where none leads.
-/// `costs`: of each edge of the graph, not negative. Any thread.
+/// Length of the shortest path to each voxel from the nearest of `from` (Dijkstra); infinite where none
+/// leads. `costs`: of each edge of the graph, not negative. Any thread.
 [[nodiscard]] std::vector<float> pathLengths(const SurfaceGraph& graph, std::span<const std::uint32_t> from,
                                              std::span<const float> costs);
 

@@ -74,7 +74,8 @@ class Nearness {
     if (!std::isfinite(to_there_[voxel])) return 0;
     const float both = to_here_[voxel] + to_there_[voxel];
     const float by_path = both > 0 ? to_here_[voxel] / both : 0;
-    const bool differs_here = here_.differFrom(graph_, voxel), differs_there = there_.differFrom(graph_, voxel);
+    const bool differs_here = here_.differFrom(graph_, voxel),
+               differs_there = there_.differFrom(graph_, voxel);
     if (differs_here == differs_there) return by_path;
     return std::clamp(by_path + (differs_here ? kColorLeaning : -kColorLeaning), 0.0F, 1.0F);
   }
@@ -136,6 +137,19 @@ class Components {
   std::vector<float> inner_;  // the largest weight within
 };
 
+/// Joins components that are still too small, because nothing touches them, with the largest.
+void joinSpecks(Components& components, std::size_t voxels, int min_voxels) {
+  std::uint32_t largest = 0;
+  for (std::uint32_t voxel = 0; voxel < voxels; ++voxel) {
+    const std::uint32_t component = components.of(voxel);
+    if (components.size(component) > components.size(components.of(largest))) largest = component;
+  }
+  for (std::uint32_t voxel = 0; voxel < voxels; ++voxel) {
+    const std::uint32_t component = components.of(voxel), into = components.of(largest);
+    if (component != into && components.size(component) < min_voxels) components.join(component, into, 0);
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> splitSurface(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
@@ -164,8 +178,15 @@ std::vector<std::uint8_t> splitSurface(const SurfaceGraph& graph, std::span<cons
   return side;
 }
 
-std::vector<std::uint32_t> segmentSurface(const SurfaceGraph& graph, float k, int min_voxels) {
+std::vector<std::uint32_t> segmentSurface(const SurfaceGraph& graph, float k, int min_voxels,
+                                          SurfaceCues cues) {
   std::vector<SurfaceGraph::Edge> edges = graph.edges;
+  if (cues == SurfaceCues::folds_and_colors) {
+    for (SurfaceGraph::Edge& edge : edges) {
+      const float turn = kColorEdge_rad * colorEdge(edge);
+      edge.weight += 0.5F * turn * turn;
+    }
+  }
   std::ranges::stable_sort(edges, {}, &SurfaceGraph::Edge::weight);
   Components components(graph.voxels.size());
   for (const SurfaceGraph::Edge& edge : edges) {
@@ -178,6 +199,7 @@ std::vector<std::uint32_t> segmentSurface(const SurfaceGraph& graph, float k, in
     if (a != b && std::min(components.size(a), components.size(b)) < min_voxels)
       components.join(a, b, edge.weight);
   }
+  joinSpecks(components, graph.voxels.size(), min_voxels);
   std::vector<std::uint32_t> part(graph.voxels.size());
   std::vector<std::uint32_t> number(graph.voxels.size(), std::numeric_limits<std::uint32_t>::max());
   std::uint32_t parts = 0;

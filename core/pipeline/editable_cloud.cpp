@@ -1,15 +1,27 @@
 #include "core/pipeline/editable_cloud.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <unordered_set>
 #include <utility>
+
+#include "core/fusion/kernels/color_voxel.h"
 
 namespace scantrove {
 namespace {
 
 Eigen::Vector3i brickOf(const Eigen::Vector3i& voxel) {
   return {voxel.x() >> BRICK_SHIFT, voxel.y() >> BRICK_SHIFT, voxel.z() >> BRICK_SHIFT};
+}
+
+std::optional<std::array<std::uint8_t, 3>> rgbOf(std::uint32_t color) {
+  if (COLOR_WEIGHT(color) == 0) return std::nullopt;
+  return std::array{static_cast<std::uint8_t>(COLOR_RED(color)),
+                    static_cast<std::uint8_t>(COLOR_GREEN(color)),
+                    static_cast<std::uint8_t>(COLOR_BLUE(color))};
 }
 
 bool comesFirst(const SurfaceVoxel& a, const SurfaceVoxel& b) {
@@ -31,7 +43,8 @@ std::vector<bool> EditableCloud::collect(std::span<const Eigen::Vector3i> bricks
       const Eigen::Vector3f place = Eigen::Vector3f(point.x, point.y, point.z) / bricks_.voxelSize();
       voxels.push_back({place.array().floor().cast<int>(),
                         {point.normal_x, point.normal_y, point.normal_z},
-                        FragmentId{point.fragment}});
+                        FragmentId{point.fragment},
+                        rgbOf(point.color)});
     }
   }
   return has_some;

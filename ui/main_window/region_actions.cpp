@@ -8,7 +8,8 @@ RegionActions::RegionActions(QObject* parent) : QObject(parent) {
   name = make("rename", tr("&Name…"), {Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2},
               tr("Name the region, which makes it an object of the catalogue"));
   join = make("merge", tr("&Join"), {Qt::Key_J}, tr("Join the selected regions into one"));
-  cut = make("", tr("&Split…"), {Qt::Key_C}, tr("Split a region between two strokes or clicks"));
+  cut = make("", tr("&Split…"), {Qt::Key_C},
+             tr("Split a region along folds and colour edges, between two strokes or around one"));
   finer = make("", tr("Split &further"), {Qt::Key_Plus, Qt::Key_Equal},
                tr("Split this region at its weakest borders"));
   coarser = make("", tr("&Merge with neighbour"), {Qt::Key_Minus},

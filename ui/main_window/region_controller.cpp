@@ -250,6 +250,7 @@ void RegionController::connectSplitter() {
           [this](RegionId region) { selection_.select(region); });
   connect(splitter_, &RegionSplitter::splitRequested, this,
           [this](const Operation& cut) { operations_.perform(cut); });
+  connect(&operations_, &RegionOperations::splitFailed, splitter_, &RegionSplitter::repeat);
   connect(splitter_, &RegionSplitter::failed, this, &RegionController::failed);
 }
 

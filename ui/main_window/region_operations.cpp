@@ -225,6 +225,7 @@ void RegionOperations::addStep(const Operation& operation) {
 void RegionOperations::editFailed(const EditFailed& event) {
   emit failed(QString::fromStdString(event.error.message()));
   const auto* const operation = std::get_if<Operation>(&event.edit);
+  if (operation != nullptr && operation->kind == OperationKind::cut) emit splitFailed();
   const auto failed = std::find_if(performed_.rbegin(), performed_.rend(), [operation](const auto& command) {
     return operation != nullptr && command->is(*operation);
   });

@@ -53,6 +53,8 @@ class RegionOperations : public QObject {
   void nameGiven(const QString& name);
   /// An operation failed or could not be stored.
   void failed(const QString& message);
+  /// A split failed; the region is as it was.
+  void splitFailed();
 
  private:
   class Command;

@@ -52,8 +52,15 @@ bool RegionSplitter::accept() {
     end();
     return true;
   }
-  if (expectsStroke() && !side().empty()) advance();
+  // Without a stroke over the other part, the colours around the first decide.
+  if (step_ == Step::there || (expectsStroke() && !side().empty())) advance();
   return isActive();
+}
+
+void RegionSplitter::repeat() {
+  if (step_ != Step::shown) return;
+  split_.there_world.clear();
+  setStep(Step::there);
 }
 
 void RegionSplitter::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
@@ -104,7 +111,8 @@ void RegionSplitter::setStep(Step step) {
   if (step == Step::here) {
     hint = tr("Split, 1 of 2: draw over one part, or click it. Shift adds strokes, Escape cancels");
   } else if (step == Step::there) {
-    hint = tr("Split, 2 of 2: draw over the other part, or click it. Shift adds strokes, Escape cancels");
+    hint =
+        tr("Split, 2 of 2: draw over the other part, or click it. Return splits by colour, Escape cancels");
   } else if (step == Step::shown) {
     hint = tr("Split. Return accepts, Escape undoes");
   }

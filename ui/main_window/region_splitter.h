@@ -12,8 +12,9 @@ class RegionSelection;
 class ScenePane;
 
 /// Splits a region by two strokes that the user draws in any view, first over the part to split off, then
-/// over the rest. A click is a stroke of one point; Shift adds further strokes of the same part. The strokes
-/// stay marked in all views until the split is accepted or cancelled. Use from the window's thread.
+/// over the rest. Return instead of the second stroke splits by colour. A click is a stroke of one point;
+/// Shift adds further strokes of the same part. The strokes stay marked in all views until the split is
+/// accepted or cancelled. Use from the window's thread.
 class RegionSplitter : public QObject {
   Q_OBJECT
 
@@ -26,6 +27,8 @@ class RegionSplitter : public QObject {
   void end();
   /// For Return: accepts the shown split, or ends the strokes of a part. False if not active.
   bool accept();
+  /// The split failed: asks for the second stroke again.
+  void repeat();
   void click(const RegionPoint& at, Qt::KeyboardModifiers modifiers);
 
   /// From begin() until the split is accepted or undone.

@@ -63,6 +63,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("1 … 9"), tr("Give it a recent name"));
   line(tr("J"), tr("Join"));
   line(tr("C, then two strokes or clicks"), tr("Split: draw over one part, then over the other"));
+  line(tr("C, then one stroke or click, Return"), tr("Split off what has other colours around it"));
   line(tr("Shift, Return, Escape while splitting"), tr("Add a stroke; accept; cancel"));
   line(tr("+ and −"), tr("Split further, merge with neighbour (without a selection: zoom)"));
   line(tr("B, O, Del"), tr("Background; mark as object; not an object"));

@@ -81,7 +81,7 @@ class LayerRules {
         {"segmentation", {"base", "geometry", "compute", "capture", "fusion"}},
         {"labeling", {"base", "geometry", "compute", "fusion", "segmentation"}},
         {"discovery", {"base", "geometry", "capture", "fusion"}},
-        {"editing", {"base", "geometry", "labeling"}},
+        {"editing", {"base", "labeling"}},
         {"meshing", {"base", "compute", "fusion", "labeling"}},
         {"catalogue", {"base", "image", "compute", "database", "capture"}},
         {"dataset", {"base", "image", "compute", "capture", "exchange", "catalogue"}},

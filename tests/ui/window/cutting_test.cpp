@@ -176,6 +176,26 @@ TEST_F(CuttingTest, ShiftAddsStrokesToTheSameSide) {
   EXPECT_NEAR(here.back().x(), worldX(0.1), 0.02F);
 }
 
+TEST_F(CuttingTest, ReturnAfterOneStrokeSplitsByColor_AndAFailureAsksForTheSecond) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  QTest::keyClick(panel(0), Qt::Key_Return);
+  EXPECT_TRUE(worker_->edits.empty()) << "there is no stroke yet";
+  drawInPicture(0, {0.1, 0.2}, {0.1, 0.8});
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("Return splits by colour")));
+  QTest::keyClick(panel(0), Qt::Key_Return);
+  ASSERT_NE(lastOperation(), nullptr);
+  EXPECT_EQ(lastOperation()->kind, OperationKind::cut);
+  EXPECT_GT(lastOperation()->here_world.size(), 5U);
+  EXPECT_TRUE(lastOperation()->there_world.empty());
+  worker_->report(EditFailed{worker_->edits.back(), Error{"Nothing differs.", "Draw a second stroke."}});
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return overlay()->hint().contains(QStringLiteral("2 of 2")); }, kPatience_ms));
+  drawInPicture(0, {0.4, 0.2}, {0.4, 0.8});
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  EXPECT_GT(lastOperation()->here_world.size(), 5U) << "the first stroke is kept";
+  EXPECT_GT(lastOperation()->there_world.size(), 5U);
+}
+
 TEST_F(CuttingTest, EscapeCancelsAStroke_AndUndoRevertsACut) {
   QTest::keyClick(panel(0), Qt::Key_C);
   drawInPicture(0, {0.1, 0.2}, {0.1, 0.8}, {}, false);

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 
 #include "core/labeling/graph_merger.h"
 #include "core/labeling/region_partition.h"
@@ -29,7 +31,8 @@ class StripMap final : public EditableMap {
     std::vector<SurfaceVoxel> voxels;
     for (const auto& [position, fragment] : labels_) {
       if (std::ranges::find(fragments, fragment) != fragments.end())
-        voxels.push_back({{position.first, position.second, 0}, {0, 0, 1}, fragment});
+        voxels.push_back(
+            {{position.first, position.second, 0}, {0, 0, 1}, fragment, colorAt(position.first)});
     }
     return voxels;
   }
@@ -37,6 +40,8 @@ class StripMap final : public EditableMap {
     for (const Eigen::Vector3i& voxel : voxels) set(voxel.x(), voxel.y(), fragment);
   }
   FragmentId at(int x) const { return labels_.at({x, 5}); }
+  /// Colours the strip green from `from` to `to` and brown elsewhere; without, it has no colours.
+  void color(int from, int to) { green_ = {from, to}; }
 
  private:
   void set(int x, int y, FragmentId fragment) {
@@ -46,6 +51,12 @@ class StripMap final : public EditableMap {
     ++counts_[fragment.value];
     label = fragment;
   }
+  std::optional<std::array<std::uint8_t, 3>> colorAt(int x) const {
+    if (!green_) return std::nullopt;
+    const bool is_green = x >= green_->first && x < green_->second;
+    return is_green ? std::array<std::uint8_t, 3>{80, 160, 90} : std::array<std::uint8_t, 3>{190, 150, 100};
+  }
+  std::optional<std::pair<int, int>> green_;
   std::map<std::pair<int, int>, FragmentId> labels_;
   std::vector<int> counts_{0};
 };
@@ -222,6 +233,50 @@ TEST_F(RegionEditorTest, CutByStrokesKeepsEachStrokeOnItsSide) {
   for (int x = 35; x <= 39; ++x) EXPECT_EQ(regionAt(x), outcome->regions[1]) << x;
   ASSERT_TRUE(editor_.undo());
   for (int x = 0; x < 40; ++x) EXPECT_EQ(regionAt(x), region) << x;
+}
+
+TEST_F(RegionEditorTest, CutByOneStrokeTakesWhatHasItsColor) {
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
+  const RegionId region = regionAt(10);
+  map_.color(26, 40);
+  const auto outcome =
+      apply({.kind = OperationKind::cut, .regions = {region}, .here_world = {{0.33F, 0.05F, 0.005F}}});
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  ASSERT_EQ(outcome->regions.size(), 2U);
+  for (int x = 0; x < 40; ++x) {
+    if (std::abs(x - 26) <= 1) continue;
+    EXPECT_EQ(regionAt(x), outcome->regions[x < 26 ? 1 : 0]) << x;
+  }
+  EXPECT_EQ(outcome->regions[1], region) << "the larger part keeps its identity";
+  ASSERT_TRUE(editor_.undo());
+  for (int x = 0; x < 40; ++x) EXPECT_EQ(regionAt(x), region) << x;
+  ASSERT_TRUE(editor_.redo());
+  EXPECT_NE(regionAt(10), regionAt(35));
+}
+
+TEST_F(RegionEditorTest, RefusesACutByOneStroke_WhenNothingDiffersInColor) {
+  const auto before = table_.regions();
+  for (const bool has_colors : {false, true}) {
+    if (has_colors) map_.color(0, 80);
+    const auto refused =
+        apply({.kind = OperationKind::cut, .regions = {regionAt(50)}, .here_world = {{0.5F, 0.05F, 0.005F}}});
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), HasSubstr("second stroke"));
+  }
+  EXPECT_EQ(table_.regions(), before);
+  EXPECT_TRUE(editor_.log().entries().empty());
+}
+
+TEST_F(RegionEditorTest, FinerFollowsColors_WhenThereIsNoFold) {
+  const RegionId region = regionAt(50);
+  EXPECT_FALSE(apply({.kind = OperationKind::finer, .regions = {region}})) << "flat, without colours";
+  map_.color(50, 60);
+  const auto outcome = apply({.kind = OperationKind::finer, .regions = {region}});
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  EXPECT_EQ(outcome->regions.size(), 2U);
+  EXPECT_EQ(regionAt(41), regionAt(48));
+  EXPECT_EQ(regionAt(52), regionAt(59));
+  EXPECT_NE(regionAt(41), regionAt(59));
 }
 
 TEST_F(RegionEditorTest, RefusesACut_WhenBothPointsAreEqual) {
