@@ -17,9 +17,9 @@ class EditableMap {
   /// Number of voxels of each fragment, by fragment number.
   [[nodiscard]] virtual std::span<const int> voxelsOfFragments() const = 0;
 
-  /// Surface voxels of `fragments` (rising), with their colours, in an order that depends only on their positions. With `places`
-  /// (world), only those connected to one of the places through such voxels, brick by brick. The cost then
-  /// depends on the region, not on the map.
+  /// Surface voxels of `fragments` (rising) with their colours, in an order that depends only on their
+  /// positions. With `places` (world), only those connected to one of the places through such voxels, brick
+  /// by brick. The cost then depends on the region, not on the map.
   [[nodiscard]] virtual std::vector<SurfaceVoxel> surfaceOf(std::span<const FragmentId> fragments,
                                                             std::span<const Eigen::Vector3f> places) = 0;
   /// Sets these voxels to `fragment`.
