@@ -162,8 +162,7 @@ Result<void> RegionEditor::cut(Work& work) {
                : fail("The two places of the cut are one place of " + called(region) + ".",
                       "Point at two places that lie farther apart.");
   }
-  // Places that nothing connects with a single stroke stay with its surroundings, else with `here`.
-  const bool is_reversed = isBySurroundings(work.operation);
+  const bool is_reversed = isBySurroundings(work.operation);  // what nothing connects stays with the rest
   const auto side = is_reversed ? splitSurface(graph, there, here) : splitSurface(graph, here, there);
   const auto parts = divideVoxels(region, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
   divide(work, parts);
@@ -193,6 +192,7 @@ Result<void> RegionEditor::finer(Work& work) {
   for (int i = 0; i < kHalvings; ++i, k /= 2) {
     for (const auto& [cues, times] :
          {std::pair(SurfaceCues::folds, 1.0F), std::pair(SurfaceCues::folds_and_colors, kColorTimes)}) {
+      if (cues == SurfaceCues::folds_and_colors && graph.tints.empty()) continue;
       const auto part = segmentSurface(graph, times * k, kSmallFragmentVoxels, cues);
       const std::size_t parts = part.empty() ? 0 : *std::ranges::max_element(part) + std::size_t{1};
       if (parts < 2) continue;

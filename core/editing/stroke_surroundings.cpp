@@ -41,7 +41,7 @@ std::vector<std::uint32_t> surroundingsOf(const SurfaceGraph& graph, std::span<c
   const SurfacePieces pieces = piecesOf(graph, differs);
   if (pieces.sizes.empty()) return {};
   std::vector<std::uint8_t> alike(differs.size());
-  std::ranges::transform(differs, alike.begin(), [](std::uint8_t differ) { return differ == 0 ? 1 : 0; });
+  for (std::size_t voxel = 0; voxel < alike.size(); ++voxel) alike[voxel] = differs[voxel] == 0 ? 1 : 0;
   const SurfacePieces others = piecesOf(graph, alike);
   std::size_t around_stroke = 0;
   for (const std::uint32_t voxel : stroke) {

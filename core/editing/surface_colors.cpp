@@ -25,6 +25,8 @@ constexpr int kFillings = 3;
 constexpr float kOneColor_lab = 5;
 /// Main colours have at least this share of the voxels; the rest are slips over an edge.
 constexpr float kLeastShare = 0.08F;
+/// Voxels that suffice to find main colours.
+constexpr std::size_t kSampled = 4000;
 /// A voxel differs if its tint does by this many times the variation, and by kDifferent_lab.
 constexpr float kDifferent = 3;
 constexpr float kDifferent_lab = 5;
@@ -163,7 +165,9 @@ MainColors MainColors::of(const SurfaceGraph& graph, std::span<const std::uint32
   std::vector<Group> groups;
   std::vector<float> variations;
   if (graph.tints.empty()) return {};
-  for (const std::uint32_t voxel : voxels) {
+  const std::size_t stride = 1 + voxels.size() / kSampled;
+  for (std::size_t i = 0; i < voxels.size(); i += stride) {
+    const std::uint32_t voxel = voxels[i];
     const Eigen::Vector3f& tint = graph.tints[voxel];
     if (!isKnown(tint)) continue;
     variations.push_back(graph.color_variation[voxel]);

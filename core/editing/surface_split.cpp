@@ -89,12 +89,13 @@ class Nearness {
 /// Gives pieces of a side that hold none of its given voxels to the other side, if that surrounds them.
 void assignIslands(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
                    std::span<const std::uint32_t> there, std::vector<std::uint8_t>& side) {
-  for (const std::uint8_t of_side : {0, 1}) {
+  for (const bool is_there : {false, true}) {
     std::vector<std::uint8_t> belongs(side.size());
-    std::ranges::transform(side, belongs.begin(), [&](std::uint8_t at) { return at == of_side ? 1 : 0; });
+    for (std::size_t voxel = 0; voxel < side.size(); ++voxel)
+      belongs[voxel] = (side[voxel] != 0) == is_there ? 1 : 0;
     const SurfacePieces pieces = piecesOf(graph, belongs);
     std::vector<std::uint8_t> stays(pieces.sizes.size(), 0), touches(pieces.sizes.size(), 0);
-    for (const std::uint32_t voxel : of_side == 0 ? here : there) {
+    for (const std::uint32_t voxel : is_there ? there : here) {
       if (belongs[voxel] != 0) stays[pieces.piece[voxel]] = 1;
     }
     for (const SurfaceGraph::Edge& edge : graph.edges) {
@@ -104,7 +105,7 @@ void assignIslands(const SurfaceGraph& graph, std::span<const std::uint32_t> her
     for (std::size_t voxel = 0; voxel < side.size(); ++voxel) {
       if (belongs[voxel] == 0) continue;
       const std::uint32_t piece = pieces.piece[voxel];
-      if (stays[piece] == 0 && touches[piece] != 0) side[voxel] = 1 - of_side;
+      if (stays[piece] == 0 && touches[piece] != 0) side[voxel] = is_there ? 0 : 1;
     }
   }
 }

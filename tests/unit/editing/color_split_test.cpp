@@ -161,7 +161,7 @@ TEST(ColorSplit, NeighboringPagesStayApart) {
 TEST(ColorSplit, StrokeOnTheTableLeavesThePageOut) {
   const SurfaceGraph graph = table(page);
   std::vector<std::uint8_t> side = splitAround(graph, stroke(graph, 10, 100, 10));
-  for (std::uint8_t& of_voxel : side) of_voxel = 1 - of_voxel;
+  for (std::uint8_t& of_voxel : side) of_voxel = of_voxel == 0 ? 1 : 0;
   EXPECT_EQ(wrongSides(graph, side), 0);
 }
 
@@ -210,7 +210,7 @@ TEST(ColorSplit, SegmentationFollowsColors_OnlyWhenAsked) {
   const auto parts = segmentSurface(graph, 1, 50, SurfaceCues::folds_and_colors);
   EXPECT_EQ(std::ranges::max(parts), 1U);
   std::vector<std::uint8_t> side(parts.size());
-  std::ranges::transform(parts, side.begin(), [](std::uint32_t part) { return part == 0 ? 1 : 0; });
+  for (std::size_t i = 0; i < parts.size(); ++i) side[i] = parts[i] == 0 ? 1 : 0;
   EXPECT_EQ(wrongSides(graph, side), 0) << "the table holds the first voxel";
 }
 
