@@ -207,7 +207,7 @@ void addColors(SurfaceGraph& graph) {
   for (int i = 0; i < kQuartiles; ++i) variation = lowerQuartilesNearby(graph, variation);
   for (int i = 0; i < kAverages; ++i) variation = averagedNearby(graph, variation);
   graph.color_variation = std::move(variation);
-  for (float& variation : graph.color_variation) variation = std::max(variation, kLeastVariation);
+  for (float& of_voxel : graph.color_variation) of_voxel = std::max(of_voxel, kLeastVariation);
   fillUnknown(graph, graph.tints);
   for (int i = 0; i < kSmoothings; ++i) graph.tints = smoothed(graph, graph.tints);
   for (SurfaceGraph::Edge& edge : graph.edges) {

@@ -32,7 +32,6 @@ constexpr float kMinCapacity = 0.01F;
 constexpr float kLeaning = 0.2F;
 /// How much nearer a voxel is to the side whose colours it has and the other has not.
 constexpr float kColorLeaning = 0.3F;
-constexpr float kCertain = 1e6F;
 
 /// 0 on plain surface .. 1 across a colour edge.
 float colorEdge(const SurfaceGraph::Edge& edge) {
@@ -85,6 +84,45 @@ class Nearness {
   MainColors here_, there_;
   std::vector<float> to_here_, to_there_;
 };
+
+/// Side of a voxel that the cut decides.
+constexpr std::uint8_t kOpen = 2;
+
+/// Decides the open voxels by a minimum cut. Given voxels are no vertices, which keeps the graph small where
+/// a stroke has many surroundings: an edge to one of them ties the open voxel to that side.
+void cutOpen(const SurfaceGraph& graph, const Nearness& nearness, std::vector<std::uint8_t>& side) {
+  constexpr int kNone = -1;
+  cv::detail::GCGraph<float> flow;
+  flow.create(static_cast<unsigned>(std::ranges::count(side, kOpen)) + 2, 0);
+  const int first = flow.addVtx();
+  flow.addEdges(first, flow.addVtx(), 0, 0);  // GCGraph needs an edge, even if no two open voxels touch
+  std::vector<int> vertices(side.size(), kNone);
+  for (std::uint32_t voxel = 0; voxel < side.size(); ++voxel) {
+    if (side[voxel] != kOpen) continue;
+    vertices[voxel] = flow.addVtx();
+    const float to_there = nearness.of(voxel);
+    flow.addTermWeights(vertices[voxel], kLeaning * (1 - to_there), kLeaning * to_there);
+  }
+  const auto tie = [&](std::uint32_t open, std::uint32_t given, float capacity) {
+    flow.addTermWeights(vertices[open], side[given] == 0 ? capacity : 0, side[given] == 0 ? 0 : capacity);
+  };
+  for (const SurfaceGraph::Edge& edge : graph.edges) {
+    const int a = vertices[edge.a], b = vertices[edge.b];
+    if (a == kNone && b == kNone) continue;
+    const float capacity = capacityOf(edge);
+    if (a == kNone) {
+      tie(edge.b, edge.a, capacity);
+    } else if (b == kNone) {
+      tie(edge.a, edge.b, capacity);
+    } else {
+      flow.addEdges(a, b, capacity, capacity);
+    }
+  }
+  flow.maxFlow();
+  for (std::size_t voxel = 0; voxel < side.size(); ++voxel) {
+    if (vertices[voxel] != kNone) side[voxel] = flow.inSourceSegment(vertices[voxel]) ? 0 : 1;
+  }
+}
 
 /// Gives pieces of a side that hold none of its given voxels to the other side, if that surrounds them.
 void assignIslands(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
@@ -156,25 +194,13 @@ void joinSpecks(Components& components, std::size_t voxels, int min_voxels) {
 std::vector<std::uint8_t> splitSurface(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
                                        std::span<const std::uint32_t> there) {
   const Nearness nearness(graph, here, there);
-  cv::detail::GCGraph<float> flow(static_cast<unsigned>(graph.voxels.size()),
-                                  static_cast<unsigned>(2 * graph.edges.size()));
-  for (std::uint32_t voxel = 0; voxel < graph.voxels.size(); ++voxel) {
-    const int vertex = flow.addVtx();
-    if (!nearness.isReached(voxel)) continue;
-    const float to_there = nearness.of(voxel);
-    flow.addTermWeights(vertex, kLeaning * (1 - to_there), kLeaning * to_there);
-  }
-  for (const std::uint32_t voxel : here) flow.addTermWeights(static_cast<int>(voxel), kCertain, 0);
-  for (const std::uint32_t voxel : there) flow.addTermWeights(static_cast<int>(voxel), 0, kCertain);
-  for (const SurfaceGraph::Edge& edge : graph.edges) {
-    const float capacity = capacityOf(edge);
-    flow.addEdges(static_cast<int>(edge.a), static_cast<int>(edge.b), capacity, capacity);
-  }
-  flow.maxFlow();
-  std::vector<std::uint8_t> side(graph.voxels.size(), 0);
+  std::vector<std::uint8_t> side(graph.voxels.size(), kOpen);
+  for (const std::uint32_t voxel : here) side[voxel] = 0;
+  for (const std::uint32_t voxel : there) side[voxel] = 1;
   for (std::uint32_t voxel = 0; voxel < side.size(); ++voxel) {
-    if (nearness.isReached(voxel)) side[voxel] = flow.inSourceSegment(static_cast<int>(voxel)) ? 0 : 1;
+    if (!nearness.isReached(voxel)) side[voxel] = 0;
   }
+  cutOpen(graph, nearness, side);
   assignIslands(graph, here, there, side);
   return side;
 }
