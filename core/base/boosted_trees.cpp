@@ -16,17 +16,21 @@ namespace {
 
 constexpr int kMaxLevels = 16;
 
-/// Describes the first difference of the two lists.
-Result<void> checkFeatures(const std::vector<std::string>& in_file,
-                           std::span<const std::string_view> expected) {
-  const auto [file, program] = std::ranges::mismatch(in_file, expected);
-  if (file == in_file.end() && program == expected.end()) return {};
-  const auto quoted = [](bool is_end, std::string_view name) {
-    return is_end ? std::string("no more") : fmt::format("'{}'", name);
-  };
-  return fail(fmt::format("its feature {} is {}, and the program computes {}", file - in_file.begin() + 1,
-                          quoted(file == in_file.end(), file == in_file.end() ? "" : *file),
-                          quoted(program == expected.end(), program == expected.end() ? "" : *program)));
+/// Where each feature of the file stands among those of the program.
+Result<std::vector<int>> placesOf(const std::vector<std::string>& in_file,
+                                  std::span<const std::string_view> computed) {
+  std::vector<int> places;
+  for (const std::string& name : in_file) {
+    const auto found = std::ranges::find(computed, name);
+    if (found == computed.end())
+      return fail(
+          fmt::format("its feature {} is '{}', which the program does not compute", places.size() + 1, name));
+    const auto place = static_cast<int>(found - computed.begin());
+    if (std::ranges::find(places, place) != places.end())
+      return fail(fmt::format("it names the feature '{}' twice", name));
+    places.push_back(place);
+  }
+  return places;
 }
 
 }  // namespace
@@ -55,12 +59,15 @@ BoostedTrees BoostedTrees::embedded(const ModelFile& file, std::span<const std::
 
 Result<void> BoostedTrees::read(std::string_view json, std::span<const std::string_view> features) {
   const nlohmann::json model = nlohmann::json::parse(json);
-  SCANTROVE_TRY(checkFeatures(model.at("features").get<std::vector<std::string>>(), features));
+  names_ = model.at("features").get<std::vector<std::string>>();
+  const auto places = placesOf(names_, features);
+  if (!places) return fail(places.error());
   medians_.assign(features.size(), std::numeric_limits<float>::quiet_NaN());
   for (const auto& [name, median] : model.at("medians").items()) {
-    const auto feature = std::ranges::find(features, name);
-    if (feature == features.end()) return fail(fmt::format("its median '{}' is of no feature", name));
-    medians_[static_cast<std::size_t>(feature - features.begin())] = median.get<float>();
+    const auto feature = std::ranges::find(names_, name);
+    if (feature == names_.end()) return fail(fmt::format("its median '{}' is of no feature", name));
+    const int place = (*places)[static_cast<std::size_t>(feature - names_.begin())];
+    medians_[static_cast<std::size_t>(place)] = median.get<float>();
   }
   prior_ = model.at("prior").get<float>();
   const int levels = model.at("levels").get<int>();
@@ -73,13 +80,17 @@ Result<void> BoostedTrees::read(std::string_view json, std::span<const std::stri
     auto number = tree.begin();
     for (std::size_t i = 0; i < splits_per_tree_; ++i, number += 2) {
       const int feature = number->get<int>();
-      if (feature < 0 || feature >= static_cast<int>(features.size()))
+      if (feature < 0 || feature >= static_cast<int>(places->size()))
         return fail(fmt::format("a tree asks for feature {}", feature));
-      splits_.push_back({feature, std::next(number)->get<float>()});
+      splits_.push_back({(*places)[static_cast<std::size_t>(feature)], std::next(number)->get<float>()});
     }
     for (; number != tree.end(); ++number) leaves_.push_back(number->get<float>());
   }
   return {};
+}
+
+bool BoostedTrees::reads(std::string_view feature) const {
+  return std::ranges::find(names_, feature) != names_.end();
 }
 
 float BoostedTrees::logOdds(std::span<float> features) const {

@@ -47,15 +47,20 @@ struct ModelFile {
 /// answer. tools/train writes the file and documents its format.
 class BoostedTrees {
  public:
-  /// Error: the file is damaged, or its features differ from these.
+  /// The file's features are found among these by name; it may leave some out. Error: the file is damaged, or
+  /// names another feature.
   [[nodiscard]] static Result<BoostedTrees> parse(const ModelFile& file,
                                                   std::span<const std::string_view> features);
   /// Loads an embedded file: an error ends the program.
   [[nodiscard]] static BoostedTrees embedded(const ModelFile& file,
                                              std::span<const std::string_view> features);
 
-  /// Replaces unknown features by the medians of the training samples.
+  /// `features`: all that parse() was given, in that order. Replaces unknown ones by the medians of the
+  /// training samples.
   [[nodiscard]] float logOdds(std::span<float> features) const;
+
+  /// Whether the file names this feature.
+  [[nodiscard]] bool reads(std::string_view feature) const;
 
  private:
   struct Split {
@@ -64,7 +69,8 @@ class BoostedTrees {
   };
   [[nodiscard]] Result<void> read(std::string_view json, std::span<const std::string_view> features);
 
-  std::vector<float> medians_;  // NaN: the feature is always known
+  std::vector<std::string> names_;  // as in the file
+  std::vector<float> medians_;      // NaN: the feature is always known
   float prior_ = 0;
   std::size_t splits_per_tree_ = 0;  // complete trees: the root, its two children, their four, and so on
   std::vector<Split> splits_;        // tree by tree

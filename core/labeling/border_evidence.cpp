@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/labeling/border_features.h"
-#include "embedded/border_model.h"
+#include "core/labeling/border_model.h"
 
 namespace scantrove {
 namespace {
@@ -28,9 +27,6 @@ constexpr float kSureAttachment = 12;  // observations until it is certain
 constexpr float kDenied = 2;           // observations that one denial cancels
 /// This many observations do not count, because nothing can deny the attachment once the two are one region.
 constexpr float kFirstAttached = 3;
-/// Weight of an outline on a support, reached after kSureOutline observations.
-constexpr float kOutline = 6;
-constexpr float kSureOutline = 3;
 constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this an observation counts less than half
 
 float weightOf(const FragmentContact& contact) {
@@ -85,9 +81,11 @@ void BorderEvidence::add(const FragmentContact& contact, float shared_part) {
 }
 
 float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
-  static const BoostedTrees model = BoostedTrees::embedded(models::border, namesOf(kBorderFeatures));
-  std::array values = valuesOf(kBorderFeatures, {*this, voxels_a, voxels_b});
-  return model.logOdds(values) - kCaution;
+  return logOdds(voxels_a, voxels_b, BorderModel::embedded());
+}
+
+float BorderEvidence::logOdds(int voxels_a, int voxels_b, const BorderModel& model) const {
+  return model.logOdds({*this, voxels_a, voxels_b}) - kCaution;
 }
 
 void BorderEvidence::addAppearance(bool together) { count(together, appeared_together, appeared_apart); }
@@ -97,7 +95,14 @@ void BorderEvidence::addOutline(bool is_outlined) { count(is_outlined, outlined,
 void BorderEvidence::addAttachment(bool is_attached) { count(is_attached, attached, unattached); }
 
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
-  return weightOfObservations(voxels_a, voxels_b, bias, joined) + weightOfAppearance() + weightOfOutline() +
+  return weight(voxels_a, voxels_b, bias, joined, BorderModel::embedded());
+}
+
+float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined,
+                             const BorderModel& model) const {
+  const float of_outline = model.readsOutlines() ? 0 : outlineRule(outlined, unoutlined);
+  return weightOfObservations(logOdds(voxels_a, voxels_b, model) + bias, joined) + weightOfAppearance() +
+         of_outline +
          kAttachment * std::max(0.0F, attached - kDenied * unattached - kFirstAttached) /
              std::max(kSureAttachment, attached + unattached);
 }
@@ -109,13 +114,7 @@ float BorderEvidence::weightOfAppearance() const {
          std::max(kSureAppearance, appeared_together + appeared_apart - kFirstAppearance);
 }
 
-float BorderEvidence::weightOfOutline() const {
-  const float more = outlined - unoutlined;
-  return more > 0 ? -kOutline * more / std::max(kSureOutline, outlined + unoutlined) : 0;
-}
-
-float BorderEvidence::weightOfObservations(int voxels_a, int voxels_b, float bias, bool joined) const {
-  const float odds = logOdds(voxels_a, voxels_b) + bias;
+float BorderEvidence::weightOfObservations(float odds, bool joined) const {
   if (joined && observations < kMinObservations) return kHolds;
   if (!joined && odds > 0 && observations < kMinObservations) return 0;
   const float sure = odds > 0 ? observations / (observations + kHalfSureObservations) : 1;

@@ -6,6 +6,8 @@
 
 namespace scantrove {
 
+class BorderModel;
+
 /// The accumulated observations of the border between two fragments.
 struct BorderEvidence {
   using Constraint = LinkConstraint;
@@ -26,7 +28,7 @@ struct BorderEvidence {
   float unattached = 0;      ///< observations with a negative Attachment, at most kMaxObservations
   float outlined =
       0;  ///< observations with one side on a support that is the other, at most kMaxObservations
-  float unoutlined = 0;  ///< other observations, at most kMaxObservations
+  float unoutlined = 0;  ///< observations with both in one segment of a support or on one; likewise
   Constraint constraint = Constraint::none;
   bool by_person = false;    ///< a person set the constraint: it overrides those of the program
   int constraint_order = 0;  ///< higher: set later
@@ -49,17 +51,20 @@ struct BorderEvidence {
   /// Log-odds that both belong to one object, from the border model (resources/models, border_features.h). A
   /// constant is subtracted, because small objects suffer more from a wrong join than from a missed one.
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
+  [[nodiscard]] float logOdds(int voxels_a, int voxels_b, const BorderModel& model) const;
 
   /// Edge weight between two regions: logOdds() + bias. Positive weights count less while observations are
   /// few, and all weights count less on borders of a few centimetres. With too few observations the weight is
   /// 0 for separate regions and slightly above 0 for `joined` ones. Evidence from appeared objects outweighs
-  /// observations once it was seen more than once.
+  /// observations once it was seen more than once. If the model does not read the outlines on supports,
+  /// outlineRule() is added.
   [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias, bool joined = false) const;
+  [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias, bool joined,
+                             const BorderModel& model) const;
 
  private:
-  [[nodiscard]] float weightOfObservations(int voxels_a, int voxels_b, float bias, bool joined) const;
+  [[nodiscard]] float weightOfObservations(float odds, bool joined) const;
   [[nodiscard]] float weightOfAppearance() const;
-  [[nodiscard]] float weightOfOutline() const;
 };
 
 }  // namespace scantrove

@@ -23,10 +23,15 @@ inline float observations(const SizedBorder& b) {
 inline float ofColors(const SizedBorder& b, float ColorComparison::*value) {
   return b.evidence.colors ? (*b.evidence.colors).*value : kUnknownFeature;
 }
+/// Part of the observations of the supports that outlined one of the two; 0 without any.
+inline float outlinedPart(float outlined, float unoutlined) {
+  return outlined > 0 ? outlined / (outlined + unoutlined) : 0;
+}
 
 }  // namespace border
 
-/// Features of the border model, by name. A changed list needs a newly trained model (tools/train).
+/// Features that a border model may read, by name. A model keeps its meaning when others are added; what is
+/// renamed or measured differently needs a newly trained one (tools/train).
 inline constexpr auto kBorderFeatures = std::to_array<Feature<SizedBorder>>({
     {"observations", [](const SizedBorder& b) { return b.evidence.observations; }},
     {"same_segment_part", [](const SizedBorder& b) { return b.evidence.shared / border::observations(b); }},
@@ -49,6 +54,14 @@ inline constexpr auto kBorderFeatures = std::to_array<Feature<SizedBorder>>({
      [](const SizedBorder& b) { return border::ofColors(b, &ColorComparison::shared_chroma); }},
     {"elsewhere", [](const SizedBorder& b) { return border::ofColors(b, &ColorComparison::elsewhere); }},
     {"variety", [](const SizedBorder& b) { return border::ofColors(b, &ColorComparison::variety); }},
+    {"outlined", [](const SizedBorder& b) { return b.evidence.outlined; }},
+    {"unoutlined", [](const SizedBorder& b) { return b.evidence.unoutlined; }},
+    {"outlined_part",
+     [](const SizedBorder& b) { return border::outlinedPart(b.evidence.outlined, b.evidence.unoutlined); }},
 });
+
+/// Those of the evidence of supports. The models of the first release do not read them.
+inline constexpr auto kOutlineFeatures =
+    std::to_array<std::string_view>({"outlined", "unoutlined", "outlined_part"});
 
 }  // namespace scantrove

@@ -9,6 +9,8 @@
 
 namespace scantrove {
 
+class ObjectnessModel;
+
 /// Evidence whether some regions are one complete object, from one view and all known points of the map. See
 /// objectness_features.h for the model's features, most of which are fields here: more than twenty.
 struct ObjectnessEvidence {
@@ -35,8 +37,10 @@ struct ObjectnessEvidence {
   std::optional<ColorLikeness> likeness;
   std::optional<ColorChanges> changes;
 
-  /// Log-odds that they are one complete object and visible as such (resources/models).
+  /// Log-odds that they are one complete object and visible as such (resources/models). If the model does not
+  /// read `support`, supportRule() limits them.
   [[nodiscard]] float logOdds() const;
+  [[nodiscard]] float logOdds(const ObjectnessModel& model) const;
 };
 
 }  // namespace scantrove

@@ -20,7 +20,8 @@ inline float longestSide_m(const ObjectnessEvidence& e) {
 
 }  // namespace objectness
 
-/// Features of the objectness model, by name. A changed list needs a newly trained model (tools/train).
+/// Features that an objectness model may read, by name. A model keeps its meaning when others are added; what
+/// is renamed or measured differently needs a newly trained one (tools/train).
 inline constexpr auto kObjectnessFeatures = std::to_array<Feature<ObjectnessEvidence>>({
     {"log_pixels", [](const ObjectnessEvidence& e) { return std::log(std::max(e.pixels, 1.0F)); }},
     {"open", [](const ObjectnessEvidence& e) { return e.open; }},
@@ -68,6 +69,11 @@ inline constexpr auto kObjectnessFeatures = std::to_array<Feature<ObjectnessEvid
      [](const ObjectnessEvidence& e) { return e.changes ? e.changes->along.likeness : kUnknownFeature; }},
     {"likeness_across",
      [](const ObjectnessEvidence& e) { return e.changes ? e.changes->across.likeness : kUnknownFeature; }},
+    {"support", [](const ObjectnessEvidence& e) { return e.support; }},
+    {"carried", [](const ObjectnessEvidence& e) { return e.carried; }},
 });
+
+/// Those of the evidence of supports. The models of the first release do not read them.
+inline constexpr auto kSupportFeatures = std::to_array<std::string_view>({"support", "carried"});
 
 }  // namespace scantrove

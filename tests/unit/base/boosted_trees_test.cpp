@@ -44,14 +44,30 @@ TEST(BoostedTrees, UseTheMedian_WhenAFeatureIsUnknown) {
   EXPECT_EQ(logOdds(1, kUnknownFeature), logOdds(1, 3));
 }
 
-TEST(BoostedTrees, NameFileAndFeature_WhenTheProgramComputesAnother) {
+TEST(BoostedTrees, NameFileAndFeature_WhenTheProgramDoesNotComputeIt) {
   EXPECT_EQ(errorOf(std::string(kModel), std::array<std::string_view, 2>{"size", "colour"}),
-            "The model models/toy.json cannot be used: its feature 2 is 'color', and the program computes "
-            "'colour'. Train it anew, see tools/train/README.md.");
+            "The model models/toy.json cannot be used: its feature 2 is 'color', which the program does not "
+            "compute. Train it anew, see tools/train/README.md.");
   EXPECT_THAT(errorOf(std::string(kModel), std::array<std::string_view, 1>{"size"}),
-              HasSubstr("its feature 2 is 'color', and the program computes no more"));
-  EXPECT_THAT(errorOf(std::string(kModel), std::array<std::string_view, 3>{"size", "color", "fill"}),
-              HasSubstr("its feature 3 is no more, and the program computes 'fill'"));
+              HasSubstr("its feature 2 is 'color'"));
+  EXPECT_THAT(errorOf(changed("\"color\"]", "\"size\"]")), HasSubstr("names the feature 'size' twice"));
+}
+
+TEST(BoostedTrees, FindFeaturesByName_WhenTheProgramComputesMoreInAnotherOrder) {
+  constexpr std::array<std::string_view, 4> kComputed{"fill", "color", "holes", "size"};
+  const auto trees = BoostedTrees::parse({"models/toy.json", kModel}, kComputed);
+  ASSERT_TRUE(trees) << trees.error().message();
+  for (const float size : {0.5F, 0.6F}) {
+    for (const float color : {-10.0F, 0.0F, 10.5F, kUnknownFeature}) {
+      for (const float other : {-100.0F, 100.0F, kUnknownFeature}) {
+        std::array features{other, color, other, size};
+        EXPECT_EQ(trees->logOdds(features), logOdds(size, color)) << size << ", " << color << ", " << other;
+      }
+    }
+  }
+  EXPECT_TRUE(trees->reads("size"));
+  EXPECT_TRUE(trees->reads("color"));
+  EXPECT_FALSE(trees->reads("fill")) << "computed, but not in the file";
 }
 
 TEST(BoostedTrees, AreRefused_WhenTheFileIsDamaged) {
