@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 namespace scantrove::train {
@@ -164,17 +165,29 @@ Result<void> compare(const BoostedTrees& trees, const Booster& booster, const Ma
 
 }  // namespace
 
+Provenance provenanceOf(std::span<const SceneSamples> scenes) {
+  std::set<std::string> commits;
+  std::vector<std::string> names;
+  for (const SceneSamples& scene : scenes) {
+    commits.insert(scene.origin.commit);
+    names.push_back("demo:" + scene.origin.scene);
+  }
+  const int frames = scenes.empty() ? 0 : scenes.front().origin.frames;
+  return {fmt::format("{}", fmt::join(commits, ", ")),
+          fmt::format("{} of {} frames each", fmt::join(names, " "), frames)};
+}
+
 Result<std::string> trainModel(std::span<const Example> examples, const BoostingParams& params,
                                const ModelDescription& description) {
-  const double prior = priorOf(examples);
+  const double prior = examples.empty() ? 0 : priorOf(examples);
   if (!(prior > 0 && prior < 1))
     return fail("The examples all have the same answer.", "Take more scenes, or longer ones.");
   const std::vector<float> medians = mediansOf(examples);
   nlohmann::ordered_json head;
   head["question"] = description.question;
   head["provenance"] = {{"trained_by", "tools/train"},
-                        {"commit", description.commit},
-                        {"scenes", description.scenes},
+                        {"commit", description.provenance.commit},
+                        {"scenes", description.provenance.scenes},
                         {"examples", examples.size()},
                         {"held_out", description.held_out}};
   head["features"] = description.features;
@@ -200,13 +213,6 @@ Result<std::string> trainModel(std::span<const Example> examples, const Boosting
 
 Result<BoostedTrees> readModel(const std::string& text, const ModelDescription& description) {
   return BoostedTrees::parse({"just trained", text}, description.features);
-}
-
-double areaUnderCurve(std::vector<std::pair<float, bool>> odds_and_answers) {
-  std::ranges::sort(odds_and_answers);
-  double below = 0, ordered = 0;
-  for (const auto& [odds, is_yes] : odds_and_answers) (is_yes ? ordered : below) += is_yes ? below : 1;
-  return ordered / (below * (static_cast<double>(odds_and_answers.size()) - below));
 }
 
 }  // namespace scantrove::train

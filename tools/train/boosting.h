@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/boosted_trees.h"
+#include "tools/train/samples.h"
 
 namespace scantrove::train {
 
@@ -25,12 +26,18 @@ struct BoostingParams {
   std::vector<int> directions = {};
 };
 
+/// Where samples come from.
+struct Provenance {
+  std::string commit, scenes;
+};
+[[nodiscard]] Provenance provenanceOf(std::span<const SceneSamples> scenes);
+
 /// What a model's file says beside its numbers.
 struct ModelDescription {
   std::string question;
   std::vector<std::string_view> features;
-  std::string commit, scenes;  ///< where the samples come from
-  std::string held_out;        ///< how good it is on scenes that it was not trained on
+  Provenance provenance;
+  std::string held_out;  ///< how good it is on scenes that it was not trained on
 };
 
 /// Trains trees with XGBoost; the same examples give the same trees. Returns a model file's text.
@@ -40,8 +47,5 @@ struct ModelDescription {
 
 /// The trees of such a text, as the program reads it.
 [[nodiscard]] Result<BoostedTrees> readModel(const std::string& text, const ModelDescription& description);
-
-/// Part of the pairs of a yes and a no that log odds put in the right order (area under the ROC curve).
-[[nodiscard]] double areaUnderCurve(std::vector<std::pair<float, bool>> odds_and_answers);
 
 }  // namespace scantrove::train

@@ -1,32 +1,33 @@
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
 
-#include "core/labeling/border_features.h"
+#include "core/labeling/border_model.h"
 #include "tools/train/cross_validation.h"
+#include "tools/train/feature_choice.h"
 #include "tools/train/models.h"
 
 namespace scantrove::train {
 namespace {
 
-constexpr std::size_t indexOf(std::string_view name) {
+constexpr std::size_t borderIndexOf(std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(kBorderFeatures, name, &Feature<SizedBorder>::name) -
                                   kBorderFeatures.begin());
 }
 
-/// A leak heals only if more observations as one never speak against it. Folds and unlike colours never speak
-/// for one object, whatever few examples say.
-std::vector<int> directions() {
-  std::vector<int> directions(kBorderFeatures.size(), 0);
-  for (const char* name : {"same_segment_part", "bridged_part", "shared_colors"})
-    directions[indexOf(name)] = 1;
-  for (const char* name : {"folded", "color_shift", "chroma_difference", "color_difference", "elsewhere"})
-    directions[indexOf(name)] = -1;
-  return directions;
+/// A leak heals only if more observations as one never speak against it. Folds, unlike colours and outlines
+/// on a support never speak for one object, whatever few examples say.
+int directionOf(std::string_view feature) {
+  for (const char* name : {"same_segment_part", "bridged_part", "shared_colors", "unoutlined"})
+    if (feature == name) return 1;
+  for (const char* name : {"folded", "color_shift", "chroma_difference", "color_difference", "elsewhere",
+                           "outlined", "outlined_part"})
+    if (feature == name) return -1;
+  return 0;
 }
+
+constexpr std::size_t kOutlined = borderIndexOf("outlined"), kUnoutlined = borderIndexOf("unoutlined");
 
 /// Scenes are easier than homes; examples are made harder at random.
 class Examples {
@@ -59,8 +60,8 @@ class Examples {
   /// segment in up to kMaxLeaked of their observations.
   static constexpr unsigned kLeakedOfThousand = 600;
   static constexpr float kMaxLeaked = 0.4F;
-  static constexpr std::size_t kSharedChroma = indexOf("shared_chroma"),
-                               kFewerVoxels = indexOf("fewer_voxels");
+  static constexpr std::size_t kSharedChroma = borderIndexOf("shared_chroma"),
+                               kFewerVoxels = borderIndexOf("fewer_voxels");
 
   [[nodiscard]] bool happens(unsigned of_thousand) { return random_() % 1000 < of_thousand; }
   void makeHarder(std::vector<float>& x) {
@@ -71,8 +72,13 @@ class Examples {
     }
     if (!happens(kLeakedOfThousand)) return;
     const float leaked = kMaxLeaked * static_cast<float>(random_() % 1000) / 1000;
-    for (const std::size_t f : {indexOf("same_segment_part"), indexOf("bridged_part")})
+    for (const std::size_t f : {borderIndexOf("same_segment_part"), borderIndexOf("bridged_part")})
       x[f] = std::max(x[f], leaked);
+    // A segment over both outlines neither.
+    const float denied = leaked * x[kOutlined];
+    x[kOutlined] -= denied;
+    x[kUnoutlined] += denied;
+    x[borderIndexOf("outlined_part")] = border::outlinedPart(x[kOutlined], x[kUnoutlined]);
   }
   static std::vector<std::size_t> featuresOfColor() {
     std::vector<std::size_t> of_color;
@@ -89,41 +95,105 @@ class Examples {
   std::mt19937 random_;             // the same numbers each time
 };
 
+/// A border model of chosen features.
+class BorderTraining {
+ public:
+  BorderTraining(std::span<const SceneSamples> scenes, const FeatureChoice& choice, int trees)
+      : scenes_(scenes), choice_(choice), trees_(trees) {}
+
+  /// Of all samples, by models that were not trained on their scenes.
+  [[nodiscard]] Result<std::vector<float>> heldOutOdds() const {
+    const auto odds = crossValidate(
+        scenes_, params(), description(""), [this](std::size_t fold) { return examplesWithout(fold); },
+        [this](const SceneSamples& scene, const BoostedTrees& model) {
+          std::vector<float> of_scene;
+          for (const BorderSample& sample : scene.borders) {
+            std::vector<float> x = choice_.of(sample.x);
+            of_scene.push_back(model.logOdds(x));
+          }
+          return of_scene;
+        });
+    if (!odds) return fail(odds.error());
+    return inOneRow(*odds);
+  }
+
+  /// Of all scenes.
+  [[nodiscard]] Result<std::string> model(const std::string& held_out) const {
+    return trainModel(examplesWithout(kFolds), params(), description(held_out));
+  }
+
+ private:
+  [[nodiscard]] BoostingParams params() const {
+    BoostingParams params{.trees = std::min(120, trees_),
+                          .levels = 4,
+                          .learning_rate = 0.12,
+                          .ridge = 5,
+                          .min_hessian = 15,
+                          .feature_part = 0.7};
+    for (const std::string_view name : choice_.names()) params.directions.push_back(directionOf(name));
+    return params;
+  }
+  [[nodiscard]] ModelDescription description(const std::string& held_out) const {
+    return {"Do these two fragments belong to one object?", choice_.names(), provenanceOf(scenes_), held_out};
+  }
+  [[nodiscard]] std::vector<Example> examplesWithout(std::size_t fold) const {
+    Examples all;
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      if (i % kFolds != fold) all.add(scenes_[i]);
+    }
+    std::vector<Example> examples = all.take();
+    for (Example& example : examples) example.x = choice_.of(example.x);
+    return examples;
+  }
+
+  std::span<const SceneSamples> scenes_;
+  const FeatureChoice& choice_;
+  int trees_;
+};
+
+std::vector<Answer> borderAnswers(std::span<const SceneSamples> scenes) {
+  std::vector<Answer> answers;
+  for (const SceneSamples& scene : scenes) {
+    for (const BorderSample& sample : scene.borders)
+      answers.push_back({sample.is_same_object, 1, kindOf(scene.origin.scene),
+                         sample.x[kOutlined] + sample.x[kUnoutlined] > 0});
+  }
+  return answers;
+}
+
+/// Log odds as BorderEvidence::weight() has them for models that do not read the outlines.
+std::vector<float> withOutlineRule(std::span<const SceneSamples> scenes, std::vector<float> odds) {
+  auto of_sample = odds.begin();
+  for (const SceneSamples& scene : scenes) {
+    for (const BorderSample& sample : scene.borders)
+      *of_sample++ += outlineRule(sample.x[kOutlined], sample.x[kUnoutlined]);
+  }
+  return odds;
+}
+
 }  // namespace
 
-Result<std::string> trainBorder(std::span<const SceneSamples> scenes, const Provenance& provenance,
-                                int trees) {
-  constexpr auto kNames = namesOf(kBorderFeatures);
-  ModelDescription description{"Do these two fragments belong to one object?",
-                               {kNames.begin(), kNames.end()},
-                               provenance.commit,
-                               provenance.scenes,
-                               ""};
-  const BoostingParams params{.trees = std::min(120, trees),
-                              .levels = 4,
-                              .learning_rate = 0.12,
-                              .ridge = 5,
-                              .min_hessian = 15,
-                              .feature_part = 0.7,
-                              .directions = directions()};
-  std::vector<std::pair<float, bool>> judged;
-  const auto examplesWithout = [&](std::size_t fold) {
-    Examples examples;
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-      if (i % kFolds != fold) examples.add(scenes[i]);
-    }
-    return examples.take();
+Result<TrainedModel> trainBorder(std::span<const SceneSamples> scenes, const TrainingOptions& options) {
+  const auto train = [&](const FeatureChoice& choice) {
+    return BorderTraining(scenes, choice, options.trees);
   };
-  const auto judge = [&](const SceneSamples& scene, const BoostedTrees& model) {
-    for (const BorderSample& sample : scene.borders) {
-      std::vector<float> x = sample.x;
-      judged.emplace_back(model.logOdds(x), sample.is_same_object);
-    }
-  };
-  SCANTROVE_TRY(crossValidate(scenes, params, description, examplesWithout, judge));
-  description.held_out = fmt::format("{} folds by scene: area under the curve {:.4f}", kFolds,
-                                     areaUnderCurve(std::move(judged)));
-  return trainModel(examplesWithout(kFolds), params, description);
+  const FeatureChoice chosen(kBorderFeatures, options.left_out);
+  std::vector<std::string_view> old_left_out(kOutlineFeatures.begin(), kOutlineFeatures.end());
+  old_left_out.insert(old_left_out.end(), options.left_out.begin(), options.left_out.end());
+  const FeatureChoice old_features(kBorderFeatures, old_left_out);
+  const auto old_odds = train(old_features).heldOutOdds();
+  if (!old_odds) return fail(old_odds.error());
+  Figures figures(borderAnswers(scenes));
+  figures.add("without supports", *old_odds);
+  std::vector<float> odds = withOutlineRule(scenes, *old_odds);
+  figures.add("rule for supports", odds);
+  if (chosen.hasAnyOf(kOutlineFeatures)) {
+    SCANTROVE_TRY(moveInto(odds, train(chosen).heldOutOdds()));
+    figures.add("supports read", odds);
+  }
+  const auto file = train(chosen).model(heldOutText(borderAnswers(scenes), odds));
+  if (!file) return fail(file.error());
+  return TrainedModel{*file, figures.table()};
 }
 
 }  // namespace scantrove::train

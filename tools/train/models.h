@@ -1,23 +1,30 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "tools/train/samples.h"
 
 namespace scantrove::train {
 
-/// Where samples come from, for a model's provenance.
-struct Provenance {
-  std::string commit, scenes;
+struct TrainingOptions {
+  int trees = 300;                    ///< at most so many, for a quick trial
+  std::vector<std::string> left_out;  ///< features that the models do not read
 };
 
-/// Text of resources/models/objectness.json. Scenes are left out in turn to measure it. `trees`: fewer for a
-/// quick trial.
-[[nodiscard]] Result<std::string> trainObjectness(std::span<const SceneSamples> scenes,
-                                                  const Provenance& provenance, int trees);
-/// Text of resources/models/border.json, likewise.
-[[nodiscard]] Result<std::string> trainBorder(std::span<const SceneSamples> scenes,
-                                              const Provenance& provenance, int trees);
+struct TrainedModel {
+  std::string file;     ///< text of resources/models/NAME.json
+  std::string figures;  ///< how good it is on scenes that it was not trained on, for a person to read
+};
+
+/// The objectness model. `scenes` of one number of frames, two at least. The figures compare models with and
+/// without the evidence of supports, and the latter with supportRule(). Error: XGBoost refused, or all
+/// samples have the same answer.
+[[nodiscard]] Result<TrainedModel> trainObjectness(std::span<const SceneSamples> scenes,
+                                                   const TrainingOptions& options);
+/// The border model, likewise, with outlineRule().
+[[nodiscard]] Result<TrainedModel> trainBorder(std::span<const SceneSamples> scenes,
+                                               const TrainingOptions& options);
 
 }  // namespace scantrove::train

@@ -1,13 +1,13 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
-#include "core/discovery/objectness/objectness_features.h"
+#include "core/discovery/objectness/objectness_model.h"
 #include "core/refinement/rated_sets.h"
 #include "tools/train/cross_validation.h"
+#include "tools/train/feature_choice.h"
 #include "tools/train/models.h"
 
 namespace scantrove::train {
@@ -16,8 +16,13 @@ namespace {
 constexpr float kCompleteOverlap = 0.6F;  // as `scantrove evaluate catalogue` counts
 constexpr double kCompletePart = 0.8;     // of a set's observations
 
-constexpr BoostingParams kParams{
-    .trees = 300, .levels = 5, .learning_rate = 0.07, .ridge = 20, .min_hessian = 15, .feature_part = 0.4};
+constexpr std::size_t objectnessIndexOf(std::string_view name) {
+  return static_cast<std::size_t>(
+      std::ranges::find(kObjectnessFeatures, name, &Feature<ObjectnessEvidence>::name) -
+      kObjectnessFeatures.begin());
+}
+constexpr std::size_t kLogLongestSide = objectnessIndexOf("log_longest_side");
+constexpr std::size_t kSupport = objectnessIndexOf("support"), kCarried = objectnessIndexOf("carried");
 
 /// A set of regions would do as an object of the catalogue if it is one complete object in most of its
 /// observations. These are alike: together they weigh as the root of their number.
@@ -55,22 +60,20 @@ std::vector<Example> examplesOf(std::span<const SceneSamples> scenes, std::size_
   return all;
 }
 
-/// What a catalogue of the scenes that were left out would hold, from each threshold on.
-class HeldOut {
+/// What a catalogue of scenes would hold, from each threshold on, by a model that was not trained on them.
+class HeldOutCatalogue {
  public:
-  void add(const SceneSamples& scene, const BoostedTrees& trees) {
+  void add(const SceneSamples& scene, std::span<const float> log_odds) {
     RatedSets rated;
     std::map<RegionSet, int> complete;  // the true object of each
     const std::vector<Example> examples = examplesOf(scene);
     for (std::size_t i = 0; i < examples.size(); ++i) {
       const ObjectnessSample& sample = scene.objectness[i];
-      std::vector<float> x = sample.x;
       Candidate candidate;
       for (const std::uint32_t region : sample.regions) candidate.regions.add(RegionId{region});
-      candidate.objectness = trees.logOdds(x);
+      candidate.objectness = log_odds[i];
       candidate.size_m[0] = std::exp(sample.x[kLogLongestSide]);
       rated.add(sample.frame, {&candidate, 1});
-      judged_.emplace_back(*candidate.objectness, examples[i].is_yes);
       if (examples[i].is_yes) complete[candidate.regions] = sample.object;
     }
     std::set<int> objects;
@@ -88,18 +91,17 @@ class HeldOut {
       result.found += found.size();
     }
   }
-  [[nodiscard]] std::string text() const {
+  /// A line for each threshold.
+  [[nodiscard]] std::string table() const {
+    std::string text;
     for (const auto& [tenths, result] : at_)
-      std::fprintf(stderr, "log odds from %4.1f: %s\n", tenths / 10.0, textAt(tenths).c_str());
-    return fmt::format("{} folds by scene: area under the curve {:.3f}, from log odds -0.2 on {}", kFolds,
-                       areaUnderCurve(judged_), textAt(-2));
+      text += fmt::format("  log odds from {:4.1f}: {}\n", tenths / 10.0, textAt(tenths));
+    return text;
   }
+  /// At the threshold of the refinement.
+  [[nodiscard]] std::string text() const { return "from log odds -0.2 on " + textAt(-2); }
 
  private:
-  static constexpr std::size_t kLogLongestSide = static_cast<std::size_t>(
-      std::ranges::find(kObjectnessFeatures, "log_longest_side", &Feature<ObjectnessEvidence>::name) -
-      kObjectnessFeatures.begin());
-
   struct Counts {
     std::size_t chosen = 0, complete = 0, found = 0;
   };
@@ -112,29 +114,130 @@ class HeldOut {
                        result.chosen, part(result.found, objects_), objects_);
   }
 
-  std::vector<std::pair<float, bool>> judged_;
   std::map<int, Counts> at_{{-8, {}}, {-6, {}}, {-4, {}}, {-2, {}}, {0, {}}, {2, {}}, {4, {}}, {6, {}}};
   std::size_t objects_ = 0;
 };
 
+HeldOutCatalogue catalogueOf(std::span<const SceneSamples> scenes, std::span<const float> log_odds) {
+  HeldOutCatalogue catalogue;
+  for (const SceneSamples& scene : scenes) {
+    catalogue.add(scene, log_odds.first(scene.objectness.size()));
+    log_odds = log_odds.subspan(scene.objectness.size());
+  }
+  return catalogue;
+}
+
+/// An objectness model of chosen features.
+class ObjectnessTraining {
+ public:
+  ObjectnessTraining(std::span<const SceneSamples> scenes, const FeatureChoice& choice, int trees)
+      : scenes_(scenes), choice_(choice), trees_(trees) {}
+
+  /// Of all samples, by models that were not trained on their scenes.
+  [[nodiscard]] Result<std::vector<float>> heldOutOdds() const {
+    const auto odds = crossValidate(
+        scenes_, params(), description(""), [this](std::size_t fold) { return examplesWithout(fold); },
+        [this](const SceneSamples& scene, const BoostedTrees& model) {
+          std::vector<float> of_scene;
+          for (const ObjectnessSample& sample : scene.objectness) {
+            std::vector<float> x = choice_.of(sample.x);
+            of_scene.push_back(model.logOdds(x));
+          }
+          return of_scene;
+        });
+    if (!odds) return fail(odds.error());
+    return inOneRow(*odds);
+  }
+
+  /// Of all scenes.
+  [[nodiscard]] Result<std::string> model(const std::string& held_out) const {
+    return trainModel(examplesWithout(kFolds), params(), description(held_out));
+  }
+
+ private:
+  [[nodiscard]] BoostingParams params() const {
+    BoostingParams params{.trees = std::min(300, trees_),
+                          .levels = 5,
+                          .learning_rate = 0.07,
+                          .ridge = 20,
+                          .min_hessian = 15,
+                          .feature_part = 0.4};
+    // A support is never more likely an object than what is none, whatever few examples say.
+    for (const std::string_view name : choice_.names())
+      params.directions.push_back(name == "support" ? -1 : 0);
+    return params;
+  }
+  [[nodiscard]] ModelDescription description(const std::string& held_out) const {
+    return {"Are these regions one complete object, seen as such?", choice_.names(), provenanceOf(scenes_),
+            held_out};
+  }
+  [[nodiscard]] std::vector<Example> examplesWithout(std::size_t fold) const {
+    std::vector<Example> examples = examplesOf(scenes_, fold);
+    for (Example& example : examples) example.x = choice_.of(example.x);
+    return examples;
+  }
+
+  std::span<const SceneSamples> scenes_;
+  const FeatureChoice& choice_;
+  int trees_;
+};
+
+std::vector<Answer> objectnessAnswers(std::span<const SceneSamples> scenes) {
+  std::vector<Answer> answers;
+  for (const SceneSamples& scene : scenes) {
+    const std::vector<Example> examples = examplesOf(scene);
+    for (std::size_t i = 0; i < examples.size(); ++i) {
+      const std::vector<float>& x = scene.objectness[i].x;
+      answers.push_back({examples[i].is_yes, examples[i].weight, kindOf(scene.origin.scene),
+                         x[kSupport] + x[kCarried] > 0});
+    }
+  }
+  return answers;
+}
+
+/// Log odds as ObjectnessEvidence::logOdds() has them for models that do not read `support`.
+std::vector<float> withSupportRule(std::span<const SceneSamples> scenes, std::vector<float> odds) {
+  auto of_sample = odds.begin();
+  for (const SceneSamples& scene : scenes) {
+    for (const ObjectnessSample& sample : scene.objectness) {
+      *of_sample = supportRule(*of_sample, sample.x[kSupport]);
+      ++of_sample;
+    }
+  }
+  return odds;
+}
+
 }  // namespace
 
-Result<std::string> trainObjectness(std::span<const SceneSamples> scenes, const Provenance& provenance,
-                                    int trees) {
-  constexpr auto kNames = namesOf(kObjectnessFeatures);
-  ModelDescription description{"Are these regions one complete object, seen as such?",
-                               {kNames.begin(), kNames.end()},
-                               provenance.commit,
-                               provenance.scenes,
-                               ""};
-  BoostingParams params = kParams;
-  params.trees = std::min(params.trees, trees);
-  HeldOut held_out;
-  SCANTROVE_TRY(crossValidate(
-      scenes, params, description, [&](std::size_t fold) { return examplesOf(scenes, fold); },
-      [&](const SceneSamples& scene, const BoostedTrees& model) { held_out.add(scene, model); }));
-  description.held_out = held_out.text();
-  return trainModel(examplesOf(scenes, kFolds), params, description);
+Result<TrainedModel> trainObjectness(std::span<const SceneSamples> scenes, const TrainingOptions& options) {
+  const auto train = [&](const FeatureChoice& choice) {
+    return ObjectnessTraining(scenes, choice, options.trees);
+  };
+  const FeatureChoice chosen(kObjectnessFeatures, options.left_out);
+  std::vector<std::string_view> old_left_out(kSupportFeatures.begin(), kSupportFeatures.end());
+  old_left_out.insert(old_left_out.end(), options.left_out.begin(), options.left_out.end());
+  const FeatureChoice old_features(kObjectnessFeatures, old_left_out);
+  const auto old_odds = train(old_features).heldOutOdds();
+  if (!old_odds) return fail(old_odds.error());
+  const std::vector<Answer> answers = objectnessAnswers(scenes);
+  Figures figures(answers);
+  std::string catalogues;
+  HeldOutCatalogue catalogue;
+  const auto add = [&](const std::string& name, const std::vector<float>& odds) {
+    figures.add(name, odds);
+    catalogue = catalogueOf(scenes, odds);
+    catalogues += name + ":\n" + catalogue.table();
+  };
+  add("without supports", *old_odds);
+  std::vector<float> odds = withSupportRule(scenes, *old_odds);
+  add("rule for supports", odds);
+  if (chosen.hasAnyOf(kSupportFeatures)) {
+    SCANTROVE_TRY(moveInto(odds, train(chosen).heldOutOdds()));
+    add("supports read", odds);
+  }
+  const auto file = train(chosen).model(heldOutText(answers, odds) + ", " + catalogue.text());
+  if (!file) return fail(file.error());
+  return TrainedModel{*file, figures.table() + catalogues};
 }
 
 }  // namespace scantrove::train

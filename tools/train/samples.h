@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -20,16 +21,29 @@ struct BorderSample {
   std::vector<float> x;
 };
 
+/// The scan that samples come from.
+struct SampleOrigin {
+  std::string scene;   ///< as after "demo:"
+  int frames = 0;      ///< of the scan
+  std::string commit;  ///< of the program that scanned
+  bool operator==(const SampleOrigin&) const = default;
+};
+
 /// What one scan of one scene gives.
 struct SceneSamples {
-  std::string scene;
+  SampleOrigin origin;
   std::vector<ObjectnessSample> objectness;
   std::vector<BorderSample> borders;
 };
 
-/// Error: the disk is full.
+/// Text of a sample file; tools/train/README.md documents its format.
+[[nodiscard]] std::string textOf(const SceneSamples& samples);
+/// Samples of such a text. Error: names `file`, which is damaged, or holds samples of other features.
+[[nodiscard]] Result<SceneSamples> parseSamples(std::string_view text, const std::filesystem::path& file);
+
+/// Error: `file` cannot be written; it is then as before.
 [[nodiscard]] Result<void> writeSamples(const std::filesystem::path& file, const SceneSamples& samples);
-/// Error: the file holds samples of other features.
-[[nodiscard]] Result<SceneSamples> readSamples(const std::filesystem::path& file, const std::string& scene);
+/// Error: as parseSamples, or `file` cannot be read.
+[[nodiscard]] Result<SceneSamples> readSamples(const std::filesystem::path& file);
 
 }  // namespace scantrove::train

@@ -183,7 +183,6 @@ Result<SceneSamples> sampleScene(const std::string& scene, int frames, ComputeCo
   const auto pipeline = MappingPipeline::create(compute, {(*source)->info().intrinsics, {}});
   if (!pipeline) return fail(pipeline.error());
   SceneSamples samples;
-  samples.scene = scene;
   KeyFrameChoice key_frames;
   std::vector<Posed> chosen;
   int count = 0;

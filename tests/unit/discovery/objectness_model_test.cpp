@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-/// Log-odds 3 if over half of the outline is open, else -5. Knows nothing of supports, as the first models.
+/// Log-odds 3 if over half of the outline is open, else -5. Knows nothing of supports.
 constexpr std::string_view kWithoutSupport =
     R"({"features": ["open"], "medians": {}, "prior": 1, "levels": 1, "trees": [[0, 0.5, -6, 2]]})";
 /// The same, and 1.5 less for what was seen as a support in over 0.4 of its pixels.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSmaller = 900, kLarger = 12000;  // voxels
 
-/// Log-odds 2.5 if over half is bridged, 0.5 otherwise. Knows nothing of supports, as the first models.
+/// Log-odds 2.5 if over half is bridged, 0.5 otherwise. Knows nothing of supports.
 constexpr std::string_view kWithoutOutlines =
     R"({"features": ["bridged_part"], "medians": {}, "prior": 1.5, "levels": 1, "trees": [[0, 0.5, -1, 1]]})";
 /// The same, and 8 less if over half of the supports' observations have an outline.
