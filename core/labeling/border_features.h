@@ -60,7 +60,7 @@ inline constexpr auto kBorderFeatures = std::to_array<Feature<SizedBorder>>({
      [](const SizedBorder& b) { return border::outlinedPart(b.evidence.outlined, b.evidence.unoutlined); }},
 });
 
-/// Those of the evidence of supports. The models of the first release do not read them.
+/// Those of the evidence of supports. outlineRule() (border_model.h) stands in for them.
 inline constexpr auto kOutlineFeatures =
     std::to_array<std::string_view>({"outlined", "unoutlined", "outlined_part"});
 

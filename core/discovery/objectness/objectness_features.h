@@ -73,7 +73,7 @@ inline constexpr auto kObjectnessFeatures = std::to_array<Feature<ObjectnessEvid
     {"carried", [](const ObjectnessEvidence& e) { return e.carried; }},
 });
 
-/// Those of the evidence of supports. The models of the first release do not read them.
+/// Those of the evidence of supports. supportRule() (objectness_model.h) stands in for them.
 inline constexpr auto kSupportFeatures = std::to_array<std::string_view>({"support", "carried"});
 
 }  // namespace scantrove
