@@ -1,8 +1,8 @@
 // Trains the models in resources/models on synthetic scenes with exact truth; see README.md.
-#include <spdlog/fmt/fmt.h>
-
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <optional>
 
 #include "core/base/log.h"

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "core/base/text.h"
 #include "tests/support/temporary_folder.h"
