@@ -11,6 +11,12 @@
 
 namespace scantrove {
 
+/// Where a recording's own poses come from.
+enum class PoseOrigin {
+  truth,   ///< a benchmark's reference: for evaluation, and where poses are given
+  device,  ///< the device tracked itself (ARKit, odometry): a prediction, which may drift
+};
+
 /// Properties of an open source.
 struct SourceInfo {
   std::string name;  ///< to display: the folder's name, the camera's name
@@ -20,6 +26,7 @@ struct SourceInfo {
   std::optional<int> frame_count;  ///< frames that next() will return in total; empty for a live camera
   bool is_live = false;
   bool has_poses = false;
+  PoseOrigin pose_origin = PoseOrigin::truth;  ///< where the source has poses
   std::vector<InstanceName> instances;  ///< names of the masks in RgbdFrame::instances; empty without masks
 };
 

@@ -1,5 +1,6 @@
 #include "core/capture/image_sequence.h"
 
+#include <opencv2/imgcodecs.hpp>
 #include <utility>
 
 #include "core/capture/color_registration.h"
@@ -19,33 +20,45 @@ constexpr std::size_t kProbedFrames = 50;
 std::string sizeText(cv::Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 struct Images {
-  cv::Mat color, depth;
+  cv::Mat color, depth, confidence;
 };
 
-Result<Images> readImages(const ImageSequenceEntry& entry, bool has_color) {
+using ReadFile = Result<cv::Mat> (*)(const std::filesystem::path&);
+
+Result<cv::Mat> decode(const ImageDecoder& decoder, const std::filesystem::path& file, ReadFile read) {
+  return decoder ? decoder() : read(file);
+}
+
+Result<cv::Mat> readConfidence(const std::filesystem::path& file) {
+  cv::Mat image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  if (image.empty()) return fail("The confidence image " + file.string() + " is damaged or missing.");
+  return image;
+}
+
+Result<Images> readImages(const ImageSequenceEntry& entry, const ImageSequence& sequence) {
   const auto missing = [&](const char* what) {
     return "Frame " + std::to_string(entry.index) + " has no " + what + " image.";
   };
-  if (entry.depth.empty()) {
-    return fail(missing("depth"));
-  }
-  if (has_color && entry.color.empty()) {
-    return fail(missing("colour"));
-  }
+  const bool has_color = !entry.color.empty() || entry.decode_color;
+  if (entry.depth.empty() && !entry.decode_depth) return fail(missing("depth"));
+  if (sequence.has_color && !sequence.is_color_optional && !has_color) return fail(missing("colour"));
   Images images;
-  if (auto depth = readDepthImage(entry.depth)) {
-    images.depth = std::move(*depth);
-  } else {
-    return fail(depth.error());
-  }
-  if (has_color) {
-    if (auto color = readColorImage(entry.color)) {
-      images.color = std::move(*color);
-    } else {
-      return fail(color.error());
-    }
-  }
+  SCANTROVE_TRY(moveInto(images.depth, decode(entry.decode_depth, entry.depth, readDepthImage)));
+  if (sequence.has_color && has_color)
+    SCANTROVE_TRY(moveInto(images.color, decode(entry.decode_color, entry.color, readColorImage)));
+  if (!entry.confidence.empty() || entry.decode_confidence)
+    SCANTROVE_TRY(
+        moveInto(images.confidence, decode(entry.decode_confidence, entry.confidence, readConfidence)));
   return images;
+}
+
+/// Confidences of a frame from its image, whose values may be those of another range.
+cv::Mat confidencesFrom(const cv::Mat& image, const std::array<int, 3>& values) {
+  if (image.empty()) return {};
+  cv::Mat1b confidences(image.size(), kLowConfidence);
+  confidences.setTo(kMediumConfidence, image >= values[kMediumConfidence]);
+  confidences.setTo(kHighConfidence, image >= values[kHighConfidence]);
+  return confidences;
 }
 
 /// Whether two intrinsics may be calibrations of one camera.
@@ -81,7 +94,7 @@ class ImageSequenceSource final : public FrameSource {
     read.frame.index = entry.index;
     read.frame.timestamp_s = entry.timestamp_s;
     read.frame.meters_per_unit = meters_per_unit_;
-    auto images = readImages(entry, sequence_.has_color);
+    auto images = readImages(entry, sequence_);
     if (const auto problem = images ? checkSizes(entry, *images) : tl::unexpected(images.error()); !problem) {
       std::error_code error;
       const bool is_gone = !std::filesystem::is_directory(sequence_.folder, error);
@@ -93,12 +106,17 @@ class ImageSequenceSource final : public FrameSource {
     }
     read.status = FrameRead::Status::frame;
     read.frame.color = std::move(images->color);
-    read.frame.color_camera = color_camera_;
     read.frame.depth = std::move(images->depth);
+    read.frame.confidence = confidencesFrom(images->confidence, sequence_.confidences);
     read.frame.T_world_camera = poseOf(entry);
+    read.frame.color_camera = color_camera_;
+    if (entry.intrinsics) {
+      const cv::Size size = read.frame.depth.size();
+      read.frame.intrinsics = entry.intrinsics->resizedTo(size.width, size.height);
+    }
     if (undistorter_) {
       straighten(read.frame);
-    } else if (sequence_.has_color) {
+    } else if (!read.frame.color.empty()) {
       read.frame.color_file = entry.color;
     }
     return read;
@@ -116,7 +134,12 @@ class ImageSequenceSource final : public FrameSource {
       return fail(entry.depth.string() + " is " + sizeText(images.depth.size()) + ", the first frame " +
                   sizeText(depth_size) + ".");
     }
-    if (sequence_.has_color && images.color.size() != color_size_) {
+    if (!images.confidence.empty() && images.confidence.size() != images.depth.size()) {
+      return fail("The confidence image of frame " + std::to_string(entry.index) + " is " +
+                  sizeText(images.confidence.size()) + ", its depth image " + sizeText(images.depth.size()) +
+                  ".");
+    }
+    if (!images.color.empty() && images.color.size() != color_size_) {
       return fail(entry.color.string() + " is " + sizeText(images.color.size()) + ", the first frame " +
                   sizeText(color_size_) + ".");
     }
@@ -145,7 +168,8 @@ Result<Images> firstUsable(const ImageSequence& sequence, const std::vector<std:
   std::optional<Error> first_error;
   const std::size_t probed = std::min(selected.size(), kProbedFrames);
   for (std::size_t i = 0; i < probed; ++i) {
-    auto images = readImages(sequence.entries[selected[i]], sequence.has_color);
+    auto images = readImages(sequence.entries[selected[i]], sequence);
+    if (images && sequence.has_color && images->color.empty()) continue;  // its size is needed
     if (images) {
       return images;
     }
@@ -153,9 +177,10 @@ Result<Images> firstUsable(const ImageSequence& sequence, const std::vector<std:
       first_error = images.error();
     }
   }
+  const Error why = first_error.value_or(Error{"None of them has colour.", {}});
   return fail("None of the first " + std::to_string(probed) + " frames of " + sequence.folder.string() +
-                  " can be used: " + first_error->what,
-              first_error->advice);
+                  " can be used: " + why.what,
+              why.advice);
 }
 
 }  // namespace
@@ -185,6 +210,7 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   info.intrinsics = fitToImages(sequence.camera, size.width, size.height);
   info.frame_count = static_cast<int>(selected->size());
   info.has_poses = sequence.has_poses;
+  info.pose_origin = sequence.pose_origin;
   SCANTROVE_TRY(checkIntrinsics(info.intrinsics, sequence.camera_origin));
   std::optional<ColorCamera> color_camera;
   if (sequence.has_color) {

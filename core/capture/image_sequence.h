@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,12 +11,20 @@
 
 namespace scantrove {
 
+/// Decodes an image that is no file of its own (in an archive or a video). Called in recording order, each at
+/// most once; on the source's thread.
+using ImageDecoder = std::function<Result<cv::Mat>()>;
+
 /// One undecoded frame of a folder recording.
 struct ImageSequenceEntry {
   int index = 0;
   double timestamp_s = 0;
-  std::filesystem::path color;      ///< empty: not there
-  std::filesystem::path depth;      ///< empty: not there
+  std::filesystem::path color;       ///< empty: not there
+  std::filesystem::path depth;       ///< empty: not there
+  std::filesystem::path confidence;  ///< an 8-bit image, ImageSequence::confidences; empty: none
+  ImageDecoder decode_color, decode_depth, decode_confidence;  ///< in place of a file
+  /// The frame's own camera, for images of its width and height; none: ImageSequence::camera.
+  std::optional<Intrinsics> intrinsics;
   std::filesystem::path pose_file;  ///< a 4x4 matrix; empty: none
   std::optional<Eigen::Isometry3d> T_world_camera;
 };
@@ -28,7 +38,11 @@ struct ImageSequence {
   std::string camera_origin;                ///< for messages: the file, or "default"
   double units_per_meter = 1000;            ///< SourceOptions override it
   bool has_color = true;                    ///< false: depth only; else a frame without colour is skipped
+  bool is_color_optional = false;           ///< with colour: frames without it are depth only
   bool has_poses = false;
+  PoseOrigin pose_origin = PoseOrigin::truth;
+  /// Values of confidence images, from kLowConfidence to kHighConfidence: 0, 1, 2 or 0, 127, 255.
+  std::array<int, 3> confidences{0, 1, 2};
   ColorRegistration color;  ///< of the layout; `camera` and SourceOptions override it
 };
 
