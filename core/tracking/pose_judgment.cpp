@@ -43,17 +43,17 @@ constexpr double kLandmarksAgree_px = 3;
 constexpr double kFar_rad = 0.07;  // far motions in one frame begin here
 constexpr double kFar_m = 0.08;
 
-const Evidence& requiredEvidence(PoseOrigin origin, bool on_little, double angle_rad, double distance_m) {
-  if (origin == PoseOrigin::search) return kAfterSearch;
-  if (origin == PoseOrigin::landmarks) return kAtLandmarks;
-  if (origin == PoseOrigin::key_frame) return kAtKeyFrame;
+const Evidence& requiredEvidence(GuessOrigin origin, bool on_little, double angle_rad, double distance_m) {
+  if (origin == GuessOrigin::search) return kAfterSearch;
+  if (origin == GuessOrigin::landmarks) return kAtLandmarks;
+  if (origin == GuessOrigin::key_frame) return kAtKeyFrame;
   if (on_little) return kOnLittle;
   return angle_rad > kFar_rad || distance_m > kFar_m ? kAfterFarMotion : kAfterSmallMotion;
 }
 
 /// Pixels that meet known surface, without those that may show something new.
-double overlapOf(const IcpSystem& system, PoseOrigin origin) {
-  if (origin == PoseOrigin::search || origin == PoseOrigin::key_frame) return system.overlap;
+double overlapOf(const IcpSystem& system, GuessOrigin origin) {
+  if (origin == GuessOrigin::search || origin == GuessOrigin::key_frame) return system.overlap;
   return system.overlap - std::max(0.0, system.before - kBeforePerBehind * system.behind);
 }
 
@@ -76,7 +76,7 @@ bool isSeenAgain(const IcpOutcome& outcome, const Eigen::Isometry3d& by_map) {
          drift.translation().norm() < kMaxDrift_m;
 }
 
-PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin, PoseOrigin origin,
+PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin, GuessOrigin origin,
                        double depth_noise_m) {
   const IcpSystem& system = outcome.system;
   PoseEstimate pose;
@@ -95,7 +95,7 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   const Eigen::Isometry3d motion = begin.inverse() * outcome.T_world_camera;
   const double angle_rad = Eigen::AngleAxisd(motion.linear()).angle();
   const double distance_m = motion.translation().norm();
-  const bool by_landmarks = origin == PoseOrigin::landmarks || origin == PoseOrigin::key_frame;
+  const bool by_landmarks = origin == GuessOrigin::landmarks || origin == GuessOrigin::key_frame;
   const Evidence& requested = requiredEvidence(origin, on_little, angle_rad, distance_m);
   const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px
                                          : angle_rad < kReach_rad && distance_m < kReach_m;

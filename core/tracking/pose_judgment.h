@@ -14,7 +14,7 @@ struct IcpOutcome {
 };
 
 /// Source of the pose from which ICP began. The less is known beforehand, the likelier is a false minimum.
-enum class PoseOrigin {
+enum class GuessOrigin {
   prediction,  ///< the camera's last motion
   search,      ///< the best of many guesses
   landmarks,   ///< landmarks or corners, for a camera that is followed
@@ -30,7 +30,7 @@ enum class PoseOrigin {
 /// surfaces are not transparent. If less than a fifth of the readings meets known surface, that surface must
 /// determine the pose well and fit better. A pose that might corrupt the map is never `tracking`.
 [[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
-                                     PoseOrigin origin, double depth_noise_m);
+                                     GuessOrigin origin, double depth_noise_m);
 
 /// Whether ICP against a stored surface, from the pose `by_map`, confirms that the camera sees it again. At
 /// least half of the readings must meet it, most of these must fit, they must determine the pose well, and

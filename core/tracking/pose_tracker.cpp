@@ -54,7 +54,7 @@ void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& 
   if (!last_) return;
   const std::vector<Eigen::Isometry3d> guesses = predict(model);
   const IcpOutcome outcome = aligner_->align(depth, model, guesses);
-  attempt.by_surface = judge(outcome, model.T_world_camera, PoseOrigin::prediction);
+  attempt.by_surface = judge(outcome, model.T_world_camera, GuessOrigin::prediction);
   attempt.is_firm = outcome.step.is_firm;
   if (attempt.by_surface.state == TrackingState::lost) attempt.by_surface.T_world_camera = guesses.front();
   const bool is_enough = attempt.by_surface.usable() && attempt.is_firm;
@@ -106,7 +106,7 @@ std::vector<Eigen::Isometry3d> PoseTracker::predict(const SurfaceMaps& model) co
 }
 
 PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
-                                PoseOrigin origin) const {
+                                GuessOrigin origin) const {
   return judgePose(outcome, begin, origin, static_cast<double>(params_.depth_noise_m));
 }
 
@@ -128,7 +128,7 @@ PoseEstimate PoseTracker::recover(Search& search) {
   if (by_surface.usable()) return by_surface;
   if (by_surface.free_directions == 0) {
     PoseEstimate found = judge(aligner_->alignTurned(search.depth, search.model), search.model.T_world_camera,
-                               PoseOrigin::search);
+                               GuessOrigin::search);
     if (found.usable()) return found;
   }
   is_lost_ = is_lost_ || is_restored_;
@@ -158,7 +158,7 @@ std::optional<PoseEstimate> PoseTracker::trackFlow(Search& search) {
   if (corners == nullptr) return std::nullopt;
   const Eigen::Isometry3d& guess = search.attempt.by_surface.T_world_camera;
   const PoseEstimate pose = judge(aligner_->align(search.depth, search.model, std::span(&guess, 1), corners),
-                                  guess, PoseOrigin::landmarks);
+                                  guess, GuessOrigin::landmarks);
   return pose.usable() ? std::optional(pose) : std::nullopt;
 }
 
@@ -184,9 +184,9 @@ PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& 
                                  const SeenLandmarks* landmarks) {
   const bool is_in_view = isInView(search.model, guess);
   if (!is_in_view) view_model_(guess, verified_);
-  const PoseOrigin origin = landmarks == nullptr ? PoseOrigin::search
-                            : is_lost_           ? PoseOrigin::key_frame
-                                                 : PoseOrigin::landmarks;
+  const GuessOrigin origin = landmarks == nullptr ? GuessOrigin::search
+                             : is_lost_           ? GuessOrigin::key_frame
+                                                  : GuessOrigin::landmarks;
   return judge(
       aligner_->align(search.depth, is_in_view ? search.model : verified_, std::span(&guess, 1), landmarks),
       guess, origin);
@@ -230,7 +230,7 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
   const Eigen::Isometry3d guess = uncertain.T_world_camera;
   view_model_(guess, verified_);
   PoseEstimate pose =
-      judge(aligner_->align(depth, verified_, std::span(&guess, 1)), guess, PoseOrigin::prediction);
+      judge(aligner_->align(depth, verified_, std::span(&guess, 1)), guess, GuessOrigin::prediction);
   if (!pose.usable() && --uncertain.chances > 0) uncertain_.push_back(std::move(uncertain));
   return pose;
 }

@@ -127,7 +127,7 @@ class PoseTracker {
   void remember(const RgbdFrame& frame, const PoseEstimate& pose);
 
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
-                                   PoseOrigin origin) const;
+                                   GuessOrigin origin) const;
 
   ComputeContext& compute_;
   FusionParams params_;

@@ -32,12 +32,12 @@ struct Rig {
   [[nodiscard]] PoseEstimate track(const DepthPyramid& frame, const SurfaceMaps& model,
                                    const Eigen::Isometry3d& prediction) const {
     const std::array guesses{prediction, model.T_world_camera};
-    return judgePose(aligner->align(frame, model, guesses), model.T_world_camera, PoseOrigin::prediction,
+    return judgePose(aligner->align(frame, model, guesses), model.T_world_camera, GuessOrigin::prediction,
                      depth_noise_m);
   }
   /// After a tracking failure: starts from several rotations of the camera.
   [[nodiscard]] PoseEstimate search(const DepthPyramid& frame, const SurfaceMaps& model) const {
-    return judgePose(aligner->alignTurned(frame, model), model.T_world_camera, PoseOrigin::search,
+    return judgePose(aligner->alignTurned(frame, model), model.T_world_camera, GuessOrigin::search,
                      depth_noise_m);
   }
 };

@@ -26,7 +26,7 @@ IcpOutcome goodOutcome() {
 /// The start pose of ICP if it moved the pose by `x_m`.
 Eigen::Isometry3d movedBy(double x_m) { return Eigen::Isometry3d(Eigen::Translation3d(-x_m, 0, 0)); }
 
-TrackingState judged(const IcpOutcome& outcome, PoseOrigin origin, double moved_m = 0,
+TrackingState judged(const IcpOutcome& outcome, GuessOrigin origin, double moved_m = 0,
                      double noise_m = kDepthNoise_m) {
   return judgePose(outcome, movedBy(moved_m), origin, noise_m).state;
 }
@@ -39,14 +39,14 @@ IcpOutcome changed(Change change) {
 }
 
 TEST(JudgePose, ReportsInliersAndError) {
-  const PoseEstimate pose = judgePose(goodOutcome(), movedBy(0), PoseOrigin::prediction, kDepthNoise_m);
+  const PoseEstimate pose = judgePose(goodOutcome(), movedBy(0), GuessOrigin::prediction, kDepthNoise_m);
   EXPECT_EQ(pose.state, tracking);
   EXPECT_NEAR(pose.inlier_fraction, 50.0 / 55.0, 1e-12);
   EXPECT_NEAR(pose.rmse_m, 0.006, 1e-12);
 }
 
 TEST(JudgePose, IsUncertainOrLost_WhenEvidenceIsWeak) {
-  constexpr PoseOrigin kOrigin = PoseOrigin::prediction;
+  constexpr GuessOrigin kOrigin = GuessOrigin::prediction;
   const IcpOutcome noisy = changed([](IcpOutcome& o) { o.system.fit_residual_m = 0.02; });
   EXPECT_EQ(judged(noisy, kOrigin), uncertain);
   EXPECT_EQ(judged(noisy, kOrigin, 0, 3 * kDepthNoise_m), tracking) << "within the noise of the camera";
@@ -58,20 +58,20 @@ TEST(JudgePose, IsUncertainOrLost_WhenEvidenceIsWeak) {
 }
 
 TEST(JudgePose, NeedsMoreInliers_AfterASearchOrLongMotion) {
-  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::search, 0.1), tracking);
+  EXPECT_EQ(judged(goodOutcome(), GuessOrigin::search, 0.1), tracking);
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 34000; });
-  EXPECT_EQ(judged(half, PoseOrigin::prediction), tracking);
-  EXPECT_EQ(judged(half, PoseOrigin::prediction, 0.1), uncertain);
-  EXPECT_EQ(judged(half, PoseOrigin::search), uncertain);
-  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::prediction, 0.5), uncertain) << "too fast for a hand";
+  EXPECT_EQ(judged(half, GuessOrigin::prediction), tracking);
+  EXPECT_EQ(judged(half, GuessOrigin::prediction, 0.1), uncertain);
+  EXPECT_EQ(judged(half, GuessOrigin::search), uncertain);
+  EXPECT_EQ(judged(goodOutcome(), GuessOrigin::prediction, 0.5), uncertain) << "too fast for a hand";
 }
 
 TEST(JudgePose, TrustsLandmarks_WhenGeometryIsFree) {
   const IcpOutcome wall = changed([](IcpOutcome& o) { o.step.free_directions = 3; });
-  EXPECT_EQ(judged(wall, PoseOrigin::prediction), uncertain);
-  EXPECT_EQ(judged(wall, PoseOrigin::landmarks), tracking);
+  EXPECT_EQ(judged(wall, GuessOrigin::prediction), uncertain);
+  EXPECT_EQ(judged(wall, GuessOrigin::landmarks), tracking);
   const IcpOutcome elsewhere = changed([](IcpOutcome& o) { o.landmark_error_px = 8; });
-  EXPECT_EQ(judged(elsewhere, PoseOrigin::landmarks), uncertain) << "depth and colour disagree";
+  EXPECT_EQ(judged(elsewhere, GuessOrigin::landmarks), uncertain) << "depth and colour disagree";
 }
 
 // A near object enters the view: half the image lies in front of the known wall.
@@ -83,10 +83,11 @@ TEST(JudgePose, AcceptsNewSurfaces_InFrontOfKnownOnes) {
       o.system.behind = behind;
     });
   };
-  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::prediction), tracking);
-  EXPECT_EQ(judged(half(17000, 16000), PoseOrigin::prediction), uncertain) << "a wrong pose looks the same";
-  EXPECT_EQ(judged(half(0, 30000), PoseOrigin::prediction), uncertain) << "nothing is visible behind a wall";
-  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::key_frame), uncertain) << "the camera was not tracked here";
+  EXPECT_EQ(judged(half(30000, 1000), GuessOrigin::prediction), tracking);
+  EXPECT_EQ(judged(half(17000, 16000), GuessOrigin::prediction), uncertain) << "a wrong pose looks the same";
+  EXPECT_EQ(judged(half(0, 30000), GuessOrigin::prediction), uncertain) << "nothing is visible behind a wall";
+  EXPECT_EQ(judged(half(30000, 1000), GuessOrigin::key_frame), uncertain)
+      << "the camera was not tracked here";
 }
 
 TEST(JudgePose, AcceptsLittleOverlap_WhenItIsFirm) {
@@ -97,17 +98,17 @@ TEST(JudgePose, AcceptsLittleOverlap_WhenItIsFirm) {
       o.step.is_firm = is_firm;
     });
   };
-  EXPECT_EQ(judged(known(true, 7500), PoseOrigin::prediction), tracking);
-  EXPECT_EQ(judged(known(false, 7500), PoseOrigin::prediction), uncertain);
-  EXPECT_EQ(judged(known(true, 5500), PoseOrigin::prediction), uncertain)
+  EXPECT_EQ(judged(known(true, 7500), GuessOrigin::prediction), tracking);
+  EXPECT_EQ(judged(known(false, 7500), GuessOrigin::prediction), uncertain);
+  EXPECT_EQ(judged(known(true, 5500), GuessOrigin::prediction), uncertain)
       << "a small overlap needs a better fit";
 }
 
 TEST(JudgePose, NeedsMoreInliers_ForAKeyFrame) {
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 30000; });
-  EXPECT_EQ(judged(half, PoseOrigin::landmarks), tracking);
-  EXPECT_EQ(judged(half, PoseOrigin::key_frame), uncertain);
-  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::key_frame), tracking);
+  EXPECT_EQ(judged(half, GuessOrigin::landmarks), tracking);
+  EXPECT_EQ(judged(half, GuessOrigin::key_frame), uncertain);
+  EXPECT_EQ(judged(goodOutcome(), GuessOrigin::key_frame), tracking);
 }
 
 }  // namespace
