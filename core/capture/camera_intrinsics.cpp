@@ -193,6 +193,7 @@ Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
     } else if (json.value("color_registered", false)) {
       model.color = ColorRegistration{};
     }
+    model.is_color_optional = json.value("color_optional", false);
     return model;
   } catch (const nlohmann::json::exception& exception) {
     return fail(file.string() + " is no Open3D camera: " + exception.what() + ".",

@@ -15,6 +15,7 @@ struct CameraModel {
   std::optional<double> units_per_meter;        ///< of the depth images; none: not in the file
   std::optional<ColorRegistration> color = {};  ///< none: not in the file
   std::optional<LensDistortion> lens = {};  ///< of both cameras, registered to each other; none: a pinhole
+  bool is_color_optional = false;           ///< frames without a colour image are depth only, not damaged
 };
 
 /// 525 525 319.5 239.5 at 640x480: the usual default for PrimeSense cameras (Kinect, Xtion).
@@ -35,8 +36,8 @@ inline constexpr Intrinsics kPrimeSenseIntrinsics{525.0F, 525.0F, 319.5F, 239.5F
 [[nodiscard]] Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file);
 
 /// Reads Open3D's JSON: `width`, `height`, `intrinsic_matrix` (nine values, column by column). Optional:
-/// `depth_scale` (units per metre), `color_registered`, and `color_camera` with the first three again and
-/// `T_color_depth` (sixteen values, row by row). Error: names the file.
+/// `depth_scale` (units per metre), `color_registered`, `color_optional`, and `color_camera` with the first
+/// three again and `T_color_depth` (sixteen values, row by row). Error: names the file.
 [[nodiscard]] Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file);
 
 /// Reads the first of these files: `camera-intrinsics.txt`, `intrinsic.json`, `camera_intrinsic.json`,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "core/base/text.h"
@@ -18,7 +19,16 @@ constexpr double kFarthest_m = 1;
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 bool haveOneShape(const cv::Size& size, const Intrinsics& K) {
-  return size.width * K.height == size.height * K.width;
+  return std::int64_t{size.width} * K.height == std::int64_t{size.height} * K.width;
+}
+
+/// Whether aspect ratios differ by at most a hundredth, as of 1296 x 968 and 640 x 480: a lower resolution is
+/// rounded to whole blocks of pixels.
+bool areAlike(const cv::Size& size, const Intrinsics& K) {
+  constexpr double kMaxDifference = 0.01;
+  const double across = static_cast<double>(size.width) * K.height;
+  const double down = static_cast<double>(size.height) * K.width;
+  return std::abs(across - down) <= kMaxDifference * down;
 }
 
 }  // namespace
@@ -63,8 +73,8 @@ Result<std::optional<ColorCamera>> colorCameraFor(const ColorRegistration& regis
                                                   const Intrinsics& depth_K, const std::string& source) {
   const std::string images = "the colour images are " + sizeText(size.width, size.height);
   if (!registration.camera) {
-    // Registered images have equal aspect ratios; they may differ in scale only.
-    if (haveOneShape(size, depth_K)) return std::optional<ColorCamera>();
+    // Registered images show the same field of view at any two scales.
+    if (areAlike(size, depth_K)) return std::optional<ColorCamera>();
     return fail(source + ": " + images + ", the depth images " + sizeText(depth_K.width, depth_K.height) +
                     ", so they cannot be registered.",
                 kRegistrationAdvice);

@@ -18,7 +18,7 @@ namespace scantrove {
 [[nodiscard]] Result<ColorRegistration> parseColorRegistration(const std::string& text);
 
 /// The camera of colour images of `size` for depth images of `depth_K`; none: registered. Error: registered
-/// images differ in aspect ratio, or the camera is impossible for this size; names `source`.
+/// images differ by more than 1 % in aspect ratio, or the camera is impossible for this size; names `source`.
 [[nodiscard]] Result<std::optional<ColorCamera>> colorCameraFor(const ColorRegistration& registration,
                                                                 const cv::Size& size,
                                                                 const Intrinsics& depth_K,

@@ -35,6 +35,7 @@ FrameRead ContinuedSource::shifted(FrameRead read) {
   }
   frame.index = orLargest(std::int64_t{frame.index} + shift().index);
   frame.timestamp_s += shift().time_s;
+  if (!frame.intrinsics) frame.intrinsics = intrinsics_;
   return read;
 }
 

@@ -16,9 +16,14 @@ class ContinuedSource final : public FrameSource {
     double time_s = 0;
   };
 
-  /// `last_index` and `last_time_s`: the largest values of the scan so far.
-  ContinuedSource(std::unique_ptr<FrameSource> source, int last_index, double last_time_s)
-      : source_(std::move(source)), last_index_(last_index), last_time_s_(last_time_s) {}
+  /// `last_index` and `last_time_s`: the largest values of the scan so far. `intrinsics`: for frames without
+  /// their own, if the scan has others.
+  ContinuedSource(std::unique_ptr<FrameSource> source, int last_index, double last_time_s,
+                  const std::optional<Intrinsics>& intrinsics = {})
+      : source_(std::move(source)),
+        last_index_(last_index),
+        last_time_s_(last_time_s),
+        intrinsics_(intrinsics) {}
 
   [[nodiscard]] const SourceInfo& info() const override { return source_->info(); }
   [[nodiscard]] FrameRead next() override { return shifted(source_->next()); }
@@ -33,6 +38,7 @@ class ContinuedSource final : public FrameSource {
   std::unique_ptr<FrameSource> source_;
   int last_index_;
   double last_time_s_;
+  std::optional<Intrinsics> intrinsics_;
   std::optional<Shift> shift_;  // the first frame decides
 };
 

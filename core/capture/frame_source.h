@@ -25,6 +25,8 @@ struct SourceInfo {
   Intrinsics intrinsics;
   std::optional<int> frame_count;  ///< frames that next() will return in total; empty for a live camera
   bool is_live = false;
+  /// Some frames have no colour image, because the device stores fewer of them than depth images.
+  bool is_color_optional = false;
   bool has_poses = false;
   PoseOrigin pose_origin = PoseOrigin::truth;  ///< where the source has poses
   std::vector<InstanceName> instances;  ///< names of the masks in RgbdFrame::instances; empty without masks

@@ -94,8 +94,8 @@ class ImageSequenceSource final : public FrameSource {
     read.frame.index = entry.index;
     read.frame.timestamp_s = entry.timestamp_s;
     read.frame.meters_per_unit = meters_per_unit_;
-    auto images = readImages(entry, sequence_);
-    if (const auto problem = images ? checkSizes(entry, *images) : tl::unexpected(images.error()); !problem) {
+    Images images;
+    if (const auto problem = readInto(images, read.frame.intrinsics, entry); !problem) {
       std::error_code error;
       const bool is_gone = !std::filesystem::is_directory(sequence_.folder, error);
       read.status = is_gone ? FrameRead::Status::failed : FrameRead::Status::skipped;
@@ -105,15 +105,11 @@ class ImageSequenceSource final : public FrameSource {
       return read;
     }
     read.status = FrameRead::Status::frame;
-    read.frame.color = std::move(images->color);
-    read.frame.depth = std::move(images->depth);
-    read.frame.confidence = confidencesFrom(images->confidence, sequence_.confidences);
+    read.frame.color = std::move(images.color);
+    read.frame.depth = std::move(images.depth);
+    read.frame.confidence = confidencesFrom(images.confidence, sequence_.confidences);
     read.frame.T_world_camera = poseOf(entry);
     read.frame.color_camera = color_camera_;
-    if (entry.intrinsics) {
-      const cv::Size size = read.frame.depth.size();
-      read.frame.intrinsics = entry.intrinsics->resizedTo(size.width, size.height);
-    }
     if (undistorter_) {
       straighten(read.frame);
     } else if (!read.frame.color.empty()) {
@@ -126,6 +122,24 @@ class ImageSequenceSource final : public FrameSource {
   void straighten(RgbdFrame& frame) const {
     frame.depth = undistorter_->ofDepth(frame.depth);
     if (frame.color.size() == frame.depth.size()) frame.color = undistorter_->ofColor(frame.color);
+  }
+
+  /// `K`: the frame's own camera, if it has one.
+  Result<void> readInto(Images& images, std::optional<Intrinsics>& K, const ImageSequenceEntry& entry) const {
+    SCANTROVE_TRY(moveInto(images, readImages(entry, sequence_)));
+    SCANTROVE_TRY(checkSizes(entry, images));
+    CameraModel own;
+    std::string origin = "of frame " + std::to_string(entry.index);
+    if (entry.intrinsics) {
+      own.K = *entry.intrinsics;
+    } else if (!entry.intrinsics_file.empty()) {
+      origin = entry.intrinsics_file.string();
+      SCANTROVE_TRY(moveInto(own, readIntrinsicsMatrix(entry.intrinsics_file)));
+    } else {
+      return {};
+    }
+    K = fitToImages(own, info_.intrinsics.width, info_.intrinsics.height);
+    return checkIntrinsics(*K, origin);
   }
 
   Result<void> checkSizes(const ImageSequenceEntry& entry, const Images& images) const {
@@ -191,6 +205,7 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   if (!selected) {
     return fail(selected.error());
   }
+  sequence.is_color_optional = sequence.is_color_optional || sequence.camera.is_color_optional;
   const auto first = firstUsable(sequence, *selected);
   if (!first) {
     return fail(first.error());
@@ -203,12 +218,17 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
     sequence.camera.K = *options.intrinsics;
     sequence.camera.K.width = sequence.camera.K.height = 0;
     sequence.camera_origin = "--intrinsics";
+    for (ImageSequenceEntry& entry : sequence.entries) {
+      entry.intrinsics.reset();
+      entry.intrinsics_file.clear();
+    }
   }
   SourceInfo info;
   info.name = folderName(sequence.folder);
   info.kind = sequence.kind;
   info.intrinsics = fitToImages(sequence.camera, size.width, size.height);
   info.frame_count = static_cast<int>(selected->size());
+  info.is_color_optional = sequence.has_color && sequence.is_color_optional;
   info.has_poses = sequence.has_poses;
   info.pose_origin = sequence.pose_origin;
   SCANTROVE_TRY(checkIntrinsics(info.intrinsics, sequence.camera_origin));

@@ -58,6 +58,8 @@ Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path
     } else if (part->suffix == "pose.txt") {
       entries[part->number].pose_file = folder / name;
       sequence.has_poses = true;
+    } else if (part->suffix == "intrinsics.txt") {
+      entries[part->number].intrinsics_file = folder / name;
     } else if (part->suffix == "color.jpg" || part->suffix == "color.jpeg" || part->suffix == "color.png") {
       entries[part->number].color = folder / name;
       sequence.has_color = true;

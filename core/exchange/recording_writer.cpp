@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/capture/usable_depth.h"
 #include "core/exchange/atomic_file.h"
 #include "core/image/png_encoder.h"
 
@@ -25,6 +26,11 @@ std::string matrixText(const Eigen::Isometry3d& pose) {
     }
   }
   return text;
+}
+
+/// The 3 x 3 matrix, row by row, with all digits of a float.
+std::string matrixText(const Intrinsics& K) {
+  return fmt::format("{} 0 {}\n0 {} {}\n0 0 1\n", K.fx, K.cx, K.fy, K.cy);
 }
 
 Json instancesToJson(const std::vector<InstanceName>& instances) {
@@ -101,6 +107,7 @@ Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) {
   const double units_per_meter = 1.0 / double{frame.meters_per_unit};
   camera["depth_scale"] = std::round(units_per_meter * 1e3) / 1e3;
   camera["color_registered"] = !frame.color_camera;
+  if (info_.is_color_optional) camera["color_optional"] = true;
   if (frame.color_camera) camera["color_camera"] = toJson(*frame.color_camera);
   return write(folder_ / "intrinsic.json", camera.dump(1) + '\n');
 }
@@ -112,11 +119,14 @@ Result<void> RecordingWriter::writeParts(const RgbdFrame& frame) {
   if (frame.T_world_camera) {
     SCANTROVE_TRY(write(pathOf(frame.index, "pose.txt"), matrixText(*frame.T_world_camera)));
   }
+  if (frame.intrinsics) {
+    SCANTROVE_TRY(write(pathOf(frame.index, "intrinsics.txt"), matrixText(*frame.intrinsics)));
+  }
   if (!frame.instances.empty()) {
     SCANTROVE_TRY(write(pathOf(frame.index, "instance.png"), encodePng(frame.instances)));
   }
   // Written last: readers ignore a frame without depth image.
-  return write(pathOf(frame.index, "depth.png"), encodePng(frame.depth));
+  return write(pathOf(frame.index, "depth.png"), encodePng(usableDepth(frame)));
 }
 
 fs::path RecordingWriter::pathOf(int index, const char* suffix) const {

@@ -5,6 +5,7 @@
 #include "core/capture/open_input.h"
 #include "core/capture/read_ahead.h"
 #include "core/capture/source_options.h"
+#include "core/capture/usable_depth_source.h"
 #include "core/session/session_store.h"
 #include "core/synthetic/synthetic_source.h"
 
@@ -55,7 +56,8 @@ Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const
   }
   SCANTROVE_TRY(checkSourceOptions(options));
   return open(source, options).map([&](std::unique_ptr<FrameSource> opened) -> std::unique_ptr<FrameSource> {
-    return std::make_unique<ReadAhead>(std::move(opened), ReadAhead::kCapacity, options.frames);
+    auto usable = std::make_unique<UsableDepthSource>(std::move(opened));
+    return std::make_unique<ReadAhead>(std::move(usable), ReadAhead::kCapacity, options.frames);
   });
 }
 
