@@ -34,8 +34,9 @@ struct ScanOptions {
 inline constexpr const char* kSourceHelp =
     "a folder, an .oni file, 'camera', 'camera:URI', 'freenect' (Kinect v1), 'demo', 'demo:room',\n"
     "'demo:wall', 'demo:corridor', or a random scene: 'demo:room:SEED' (also tabletop, sweep, moving,\n"
-    "hands). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no noise)\n"
-    "or, tabletop and room, with ':hard' (a camera that fails as real ones do)";
+    "hands). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no noise),\n"
+    "':phone' (a telephone's camera) or, tabletop and room, with ':hard' (a camera that fails as real ones "
+    "do)";
 
 /// The parameters after `config` (none when empty), then `settings`. Throws CLI::ValidationError.
 [[nodiscard]] ScanParams paramsFrom(const std::string& config, const std::vector<std::string>& settings);

@@ -22,6 +22,11 @@ namespace {
 constexpr double kFramesPerSecond = 30;
 constexpr double kColorNoise = 1.8;  // grey levels
 
+// The suffix ":phone".
+constexpr synthetic::PhoneCamera kPhone{.breathing = 0.025, .colored = 1, .cycle = 3, .has_confidence = true};
+constexpr Intrinsics kPhoneDepth{212, 212, 127.5F, 95.5F, 256, 192};
+constexpr int kPhoneColorWidth_px = 960;
+
 struct Demo {
   const char* name;
   synthetic::SceneRecipe (*recipe)();
@@ -64,6 +69,7 @@ class RenderedSource final : public SyntheticSource {
     info_.intrinsics = options.K;
     info_.frame_count = (options.frames - options.start + options.stride - 1) / options.stride;
     info_.has_poses = true;
+    info_.is_color_optional = options.color && options.phone.colored < options.phone.cycle;
     info_.instances = recipe_.scene.instances();
     for (const SyntheticScene::Part& part : recipe_.scene.parts()) T_world_rest_.push_back(part.T_world_part);
     for (InstanceName& who : info_.instances)
@@ -82,7 +88,8 @@ class RenderedSource final : public SyntheticSource {
       return read;
     }
     const int index = options_.start + given_++ * options_.stride;
-    if (options_.color && !lighting_) {
+    const bool has_color = options_.color && options_.phone.hasColor(index);
+    if (has_color && !lighting_) {
       lighting_ = std::make_unique<synthetic::Lighting>(recipe_.scene, recipe_.lit_center,
                                                         recipe_.lit_radius_m, recipe_.lights);
     }
@@ -92,24 +99,33 @@ class RenderedSource final : public SyntheticSource {
     frame.timestamp_s = index / kFramesPerSecond;
     frame.meters_per_unit = options_.meters_per_unit;
     frame.T_world_camera = pose(index);
+    const Intrinsics K_depth = options_.phone.intrinsicsAt(frame.timestamp_s, options_.K);
+    if (options_.phone.breathing > 0) frame.intrinsics = K_depth;
     const bool is_registered = !options_.color_camera;
+    const bool is_one_image = is_registered && options_.color_width == 0;
     synthetic::RenderedFrame image = synthetic::renderFrame(
-        recipe_.scene, is_registered ? lighting_.get() : nullptr, options_.K, *frame.T_world_camera);
-    if (options_.color && !is_registered) {
+        recipe_.scene, has_color && is_one_image ? lighting_.get() : nullptr, K_depth, *frame.T_world_camera);
+    if (has_color && !is_registered) {
       const Eigen::Isometry3d T_depth_color = options_.color_camera->T_color_depth.inverse();
       const Intrinsics& K = options_.color_camera->K;
       const synthetic::RenderedFrame of_color =
           synthetic::renderFrame(recipe_.scene, lighting_.get(), K, *frame.T_world_camera * T_depth_color);
       frame.color = exposed(of_color, K, T_depth_color, index);
       frame.color_camera = options_.color_camera;
-    } else if (options_.color) {
-      frame.color = exposed(image, options_.K, Eigen::Isometry3d::Identity(), index);
+    } else if (has_color && is_one_image) {
+      frame.color = exposed(image, K_depth, Eigen::Isometry3d::Identity(), index);
+    } else if (has_color) {
+      const int height = std::max(1, options_.color_width * K_depth.height / K_depth.width);
+      const Intrinsics K = K_depth.resizedTo(options_.color_width, height);
+      frame.color = exposed(synthetic::renderFrame(recipe_.scene, lighting_.get(), K, *frame.T_world_camera),
+                            K, Eigen::Isometry3d::Identity(), index);
     }
     const auto number = static_cast<std::uint32_t>(index);
     if (options_.noise) {
-      image.z_m = measured(image, number);
+      image.z_m = measured(image, K_depth, number);
       synthetic::addColorNoise(frame.color, kColorNoise, options_.seed, number);
     }
+    if (options_.phone.has_confidence) frame.confidence = synthetic::blurSteps(image.z_m);
     frame.depth = toUnits(image.z_m, options_.meters_per_unit);
     frame.instances = image.instances;
     read.status = FrameRead::Status::frame;
@@ -126,10 +142,10 @@ class RenderedSource final : public SyntheticSource {
   }
 
   /// Depth as the camera measures it.
-  [[nodiscard]] cv::Mat measured(const synthetic::RenderedFrame& image, std::uint32_t number) const {
+  [[nodiscard]] cv::Mat measured(const synthetic::RenderedFrame& image, const Intrinsics& K,
+                                 std::uint32_t number) const {
     const synthetic::KinectModel model = recipe_.camera ? recipe_.camera->depth : synthetic::KinectModel{};
-    cv::Mat z_m =
-        synthetic::measureDepth(image.z_m, image.incidence, options_.K, model, options_.seed, number);
+    cv::Mat z_m = synthetic::measureDepth(image.z_m, image.incidence, K, model, options_.seed, number);
     if (recipe_.camera) {
       const cv::Mat light = synthetic::returnedLight(image, recipe_.scene.parts());
       synthetic::loseReadings(z_m, light, model, options_.seed, number);
@@ -186,6 +202,10 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
       options.bumpy = true;
     } else if (mode == "drab") {
       options.low_contrast = true;
+    } else if (mode == "phone") {
+      options.phone = kPhone;
+      options.K = kPhoneDepth;
+      options.color_width = kPhoneColorWidth_px;
     } else if (mode == "hard") {
       random_recipe = demo.hard_recipe;
       is_random = true;
@@ -227,6 +247,12 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOpti
                             recipe.name, options.frames, options.start, options.stride),
                 "Start earlier, with a step of 1 or more.");
   }
+  const synthetic::PhoneCamera& phone = options.phone;
+  if (!(phone.breathing >= 0 && phone.breathing < 1) || phone.cycle < 1 || options.color_width < 0) {
+    return fail(
+        "The demo cannot be rendered with this camera.",
+        "Give a change of the focal length below 1, a cycle of at least one frame and a width of 0 or more.");
+  }
   if (!(options.meters_per_unit > 0)) {
     return fail(fmt::format("A depth unit of {} m is none.", options.meters_per_unit),
                 "Give a positive depth scale.");
@@ -250,7 +276,9 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
         fmt::format("There is no demo scene '{}'.", scene),
         "Choose tabletop, room, sweep, moving, hands, wall or corridor; add :7 for the random scene of that "
         "seed (not of wall and corridor), :hard for a camera that fails as real ones do (tabletop and room), "
-        ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise.");
+        ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise, :phone "
+        "for "
+        "a telephone's camera.");
   }
   options.start = given.start;
   options.stride = given.stride;
@@ -265,6 +293,7 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     options.color_camera = given.color_registration->camera;
     options.color_camera->K.width = options.K.width;
     options.color_camera->K.height = options.K.height;
+    options.color_width = 0;
   }
   if (given.depth_scale) {
     options.meters_per_unit = static_cast<float>(1.0 / *given.depth_scale);

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
+#include "core/synthetic/phone_camera.h"
 #include "core/synthetic/scene_recipe.h"
 
 namespace scantrove {
@@ -23,10 +24,12 @@ struct SyntheticOptions {
   std::optional<int> at_most;  ///< maximum number of frames
   bool noise = true;   ///< noise and failures of the recipe's camera; false: exact, rounded to the unit
   bool bumpy = false;  ///< surfaces with bumps of 2 - 5 mm
-  bool low_contrast = false;  ///< walls, furniture and things share three tints
-  bool color = true;          ///< false: no colour images (a good third faster)
-  bool tremor = true;         ///< tremor of a hand
-  std::uint32_t seed = 1;     ///< of noise, tremor, bumps and tints; `recipe` has its own seed
+  bool low_contrast = false;     ///< walls, furniture and things share three tints
+  synthetic::PhoneCamera phone;  ///< its default: a depth camera of fixed focus
+  int color_width = 0;           ///< of registered colour images; 0: as wide as depth images
+  bool color = true;             ///< false: no colour images (a good third faster)
+  bool tremor = true;            ///< tremor of a hand
+  std::uint32_t seed = 1;        ///< of noise, tremor, bumps and tints; `recipe` has its own seed
   float meters_per_unit = 0.001F;
 };
 
@@ -45,9 +48,10 @@ class SyntheticSource : public FrameSource {
 
 /// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "hands", "wall" or "corridor". Suffixes in any
 /// order: ":7" selects the random scene of that seed, ":hard" its hard generation (tabletop, room; without a
-/// seed that of 1), ":exact" disables noise, ":uneven" adds bumps, ":drab" reduces the colours. Intrinsics in
-/// `options` apply to the rendered images (640 x 480 stays, of colour too). Error: names the scene and lists
-/// the known ones.
+/// seed that of 1), ":exact" disables noise, ":uneven" adds bumps, ":drab" reduces the colours, ":phone"
+/// gives depth of 256 x 192 with confidence, a focal length that swings by 2.5 %, and a colour image of 960 x
+/// 720 for every third frame. Intrinsics in `options` apply to the rendered depth (its size stays, that of
+/// colour too). Error: names the scene and lists the known ones.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);
 
