@@ -210,7 +210,8 @@ Result<bool> collectVotes(FrameSource& source, const NumberedImages& images, con
     if (instances->size() != read.frame.depth.size()) {
       cv::resize(*instances, *instances, read.frame.depth.size(), 0, 0, cv::INTER_NEAREST_EXACT);
     }
-    voteWith(read.frame, source.info().intrinsics, pose->T_world_camera, *instances, cloud, votes);
+    const Intrinsics K = read.frame.intrinsics.value_or(source.info().intrinsics);
+    voteWith(read.frame, K, pose->T_world_camera, *instances, cloud, votes);
   }
   return matched > 0;
 }

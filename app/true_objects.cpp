@@ -53,7 +53,6 @@ Result<void> measureExtents(const fs::path& folder, TrueScene& scene) {
     return fail("The sizes of the true objects are not known: " + source.error().what,
                 "Give a recording with depth and poses, or extent_m in its instances.json.");
   }
-  const Intrinsics& K = (*source)->info().intrinsics;
   for (FrameRead read = (*source)->next(); read.status != FrameRead::Status::end; read = (*source)->next()) {
     if (read.status == FrameRead::Status::failed) return fail(read.error);
     const auto image = scene.images.find(read.frame.index);
@@ -64,6 +63,7 @@ Result<void> measureExtents(const fs::path& folder, TrueScene& scene) {
     if (instances->size() != read.frame.depth.size()) {
       cv::resize(*instances, *instances, read.frame.depth.size(), 0, 0, cv::INTER_NEAREST_EXACT);
     }
+    const Intrinsics K = read.frame.intrinsics.value_or((*source)->info().intrinsics);
     addPoints(read.frame, K, *instances, points);
   }
   for (const auto& [id, of_object] : points) scene.objects[id].extent_m = longestSide(of_object);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/check.h"
+#include "core/capture/usable_depth.h"
 #include "core/compute/kernel_types.h"
 #include "core/fusion/image_limits.h"
 #include "embedded/fusion_kernels.h"
@@ -18,12 +19,6 @@ constexpr float kRangeBase_m = 0.008F;  ///< reach of the filter over depth, at 
 constexpr float kRangeInNoise =
     16.0F / 3;  ///< ... and its growth with z^2, in standard deviations of the depth
 
-Intrinsics workingIntrinsics(const Intrinsics& K, int working_width) {
-  if (K.width <= working_width) return K;
-  const double height = static_cast<double>(K.height) * working_width / K.width;
-  return K.resizedTo(working_width, std::max(1, static_cast<int>(std::lround(height))));
-}
-
 /// Every pixel covers exactly 2 x 2 pixels; an odd last row or column is left out.
 Intrinsics halved(const Intrinsics& K) {
   return {K.fx / 2, K.fy / 2, (K.cx + 0.5F) / 2 - 0.5F, (K.cy + 0.5F) / 2 - 0.5F, K.width / 2, K.height / 2};
@@ -34,6 +29,12 @@ cl::NDRange imageRange(int width, int height) {
 }
 
 }  // namespace
+
+Intrinsics workingCameraOf(const Intrinsics& K, int working_width) {
+  if (K.width <= working_width) return K;
+  const double height = static_cast<double>(K.height) * working_width / K.width;
+  return K.resizedTo(working_width, std::max(1, static_cast<int>(std::lround(height))));
+}
 
 Result<std::unique_ptr<DepthPreprocessor>> DepthPreprocessor::create(ComputeContext& compute,
                                                                      const Intrinsics& K,
@@ -61,13 +62,13 @@ Result<std::unique_ptr<DepthPreprocessor>> DepthPreprocessor::create(ComputeCont
 }
 
 DepthPreprocessor::DepthPreprocessor(ComputeContext& compute, const Intrinsics& K, const FusionParams& params)
-    : compute_(compute), params_(params) {
+    : compute_(compute), K_recording_(K), params_(params) {
   pyramid_.K = K;
   const auto pixels = static_cast<std::size_t>(K.pixels());
   units_ = Buffer<cl_ushort>(compute.context(), pixels);
   pyramid_.depth_m = Buffer<cl_float>(compute.context(), pixels);
 
-  Intrinsics level_K = workingIntrinsics(K, params.working_width);
+  Intrinsics level_K = workingCameraOf(K, params.working_width);
   ratio_x_ = static_cast<float>(K.width) / static_cast<float>(level_K.width);
   ratio_y_ = static_cast<float>(K.height) / static_cast<float>(level_K.height);
   reduced_ = DepthPlane(compute, level_K.width, level_K.height);
@@ -92,6 +93,7 @@ Result<void> DepthPreprocessor::buildKernels() {
 }
 
 const DepthPyramid& DepthPreprocessor::process(const RgbdFrame& frame) {
+  setCamera(frame.intrinsics.value_or(K_recording_));
   upload(frame);
   reduceAndFilter();
   for (std::size_t level = 0; level < planes_.size(); ++level) {
@@ -101,11 +103,22 @@ const DepthPyramid& DepthPreprocessor::process(const RgbdFrame& frame) {
   return pyramid_;
 }
 
+void DepthPreprocessor::setCamera(const Intrinsics& K) {
+  SCANTROVE_CHECK(K.width == K_recording_.width && K.height == K_recording_.height);
+  pyramid_.K = K;
+  Intrinsics level_K = workingCameraOf(K, params_.working_width);
+  for (DepthPyramid::Level& level : pyramid_.levels) {
+    level.K = level_K;
+    level_K = halved(level_K);
+  }
+}
+
 void DepthPreprocessor::upload(const RgbdFrame& frame) {
   const Intrinsics& K = pyramid_.K;
   SCANTROVE_CHECK(frame.depth.type() == CV_16UC1 && frame.depth.cols == K.width &&
                   frame.depth.rows == K.height);
-  const cv::Mat depth = frame.depth.isContinuous() ? frame.depth : frame.depth.clone();
+  const cv::Mat usable = usableDepth(frame);
+  const cv::Mat depth = usable.isContinuous() ? usable : usable.clone();
   units_.write(compute_.queue(), {depth.ptr<cl_ushort>(), units_.size()});
   convert_.launch(cl::NDRange(units_.size()), cl::NullRange, units_, cl_int{K.pixels()},
                   cl_float{frame.meters_per_unit}, cl_float{params_.min_depth_m},

@@ -11,8 +11,12 @@
 
 namespace scantrove {
 
+/// The camera of the working views of a depth camera: at most `working_width` pixels wide.
+[[nodiscard]] Intrinsics workingCameraOf(const Intrinsics& K, int working_width);
+
 /// Converts depth to metres, applies the edge-preserving filter, and builds the pyramid of vertex and normal
-/// maps. The context's thread.
+/// maps. Image sizes are those of the recording; each frame may have its own intrinsics. Readings of low
+/// confidence are removed first. The context's thread.
 class DepthPreprocessor {
  public:
   [[nodiscard]] static Result<std::unique_ptr<DepthPreprocessor>> create(ComputeContext& compute,
@@ -21,8 +25,6 @@ class DepthPreprocessor {
 
   /// The result of the last process().
   [[nodiscard]] const DepthPyramid& pyramid() const { return pyramid_; }
-  /// Camera of the pyramid's finest level.
-  [[nodiscard]] const Intrinsics& workingCamera() const { return pyramid_.levels.front().K; }
 
   /// Depths outside [min_depth, max_depth] become 0. The result is valid until the next call.
   [[nodiscard]] const DepthPyramid& process(const RgbdFrame& frame);
@@ -31,6 +33,8 @@ class DepthPreprocessor {
   DepthPreprocessor(ComputeContext& compute, const Intrinsics& K, const FusionParams& params);
   [[nodiscard]] Result<void> buildKernels();
 
+  /// Sets the cameras of the pyramid; `K`: of the next depth image.
+  void setCamera(const Intrinsics& K);
   void upload(const RgbdFrame& frame);
   void reduceAndFilter();
   void reduce();
@@ -39,6 +43,7 @@ class DepthPreprocessor {
   void buildSurface(const DepthPlane& plane, DepthPyramid::Level& level);
 
   ComputeContext& compute_;
+  Intrinsics K_recording_;  // of frames without their own
   FusionParams params_;
   float ratio_x_ = 1;
   float ratio_y_ = 1;

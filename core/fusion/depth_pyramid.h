@@ -8,7 +8,7 @@ namespace scantrove {
 
 /// One depth frame prepared on the device.
 struct DepthPyramid {
-  Intrinsics K;              ///< of the full-resolution image
+  Intrinsics K;              ///< of the full-resolution image of this frame
   Buffer<cl_float> depth_m;  ///< full resolution, unfiltered metres, 0 = none; for integration
 
   struct Level {

@@ -37,9 +37,8 @@ bool CameraContinuation::replayPose(const Eigen::Isometry3d& T_world_camera) {
 
 void CameraContinuation::addKeyFrame(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
   PoseTracker* tracker = tracking_.tracker();
-  if (tracker == nullptr) return;
+  if (tracker == nullptr || !tracking_.isOfRecordedSize(frame)) return;
   const DepthPyramid& depth = tracking_.prepare(frame);
-  tracking_.setK(depth.levels.front().K);
   fusion_.raycast(T_world_camera, tracking_.intrinsics());
   tracker->addKeyFrame(frame, depth, fusion_.surface());
 }

@@ -26,7 +26,8 @@ class CameraContinuation {
   /// For an interrupted scan, frame by frame in order, without lost frames: adds the camera's pose. Returns
   /// whether the frame was a tracking key frame: addKeyFrame() must follow.
   [[nodiscard]] bool replayPose(const Eigen::Isometry3d& T_world_camera);
-  /// Adds an earlier frame of this map with its pose, for relocalisation.
+  /// Adds an earlier frame of this map with its pose, for relocalisation. A depth image of another size than
+  /// the recording's is ignored.
   void addKeyFrame(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   /// The camera is somewhere in the map, perhaps near this pose.
   void relocalizeNear(const Eigen::Isometry3d& T_world_camera);

@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "core/capture/usable_depth.h"
 #include "core/fusion/contradicted_surface.h"
 
 namespace scantrove {
@@ -35,7 +36,7 @@ FrameObservation observe(const RgbdFrame& frame, const RenderedView& view, Surfa
   observed.color_lab = labColors(frame, view.K, in_color);
   observed.in_color = std::move(in_color);
   observed.depth = {view.K.resizedTo(frame.depth.cols, frame.depth.rows), view.T_world_camera, {}};
-  frame.depth.convertTo(observed.depth.z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
+  usableDepth(frame).convertTo(observed.depth.z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
   observed.contradicted = contradictedSurface(observed.depth, view, depth_noise_m);
   return observed;
 }

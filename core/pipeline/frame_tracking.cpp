@@ -18,9 +18,9 @@ PoseEstimate givenPose(const RgbdFrame& frame) {
 
 Result<std::unique_ptr<FrameTracking>> FrameTracking::create(ComputeContext& compute, DenseMap& map,
                                                              StageTimer& timer, const Setup& setup) {
-  std::unique_ptr<FrameTracking> tracking(new FrameTracking(compute, timer));
+  std::unique_ptr<FrameTracking> tracking(new FrameTracking(compute, timer, setup));
   SCANTROVE_TRY(moveInto(tracking->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params)));
-  tracking->K_ = tracking->preprocessor_->workingCamera();
+  tracking->K_ = tracking->intrinsicsOf(std::nullopt);
   if (setup.poses_given) return tracking;
   const auto view_map = [&map, &self = *tracking](const Eigen::Isometry3d& T_world_camera,
                                                   SurfaceMaps& surface) {
@@ -28,6 +28,18 @@ Result<std::unique_ptr<FrameTracking>> FrameTracking::create(ComputeContext& com
   };
   SCANTROVE_TRY(moveInto(tracking->tracker_, PoseTracker::create(compute, setup.params, view_map)));
   return tracking;
+}
+
+RgbdFrame FrameTracking::withIntrinsics(const RgbdFrame& frame) const {
+  RgbdFrame own = frame;
+  if (!own.intrinsics) own.intrinsics = setup_.K;
+  return own;
+}
+
+const DepthPyramid& FrameTracking::prepare(const RgbdFrame& frame) {
+  const DepthPyramid& depth = preprocessor_->process(frame);
+  K_ = depth.levels.front().K;
+  return depth;
 }
 
 FrameTracking::Located FrameTracking::locate(const RgbdFrame& frame) {
@@ -46,8 +58,9 @@ FrameTracking::Located FrameTracking::locate(const RgbdFrame& frame) {
   }
   const DepthPyramid& depth =
       timer_.time("filter", [&]() -> const DepthPyramid& { return preprocessor_->process(frame); });
-  return located(depth,
-                 [&] { return tracker_ ? tracker_->track(frame, depth, reference_) : givenPose(frame); });
+  return located(depth, [&] {
+    return tracker_ ? tracker_->track(withIntrinsics(frame), depth, reference_) : givenPose(frame);
+  });
 }
 
 void FrameTracking::beginNext(const NextFrame& next) {
@@ -55,17 +68,19 @@ void FrameTracking::beginNext(const NextFrame& next) {
   if (!next || !tracker_ || tracker_->hasUncertain() || compute_.isProfiling()) return;
   const std::optional<RgbdFrame> frame = next();
   if (!frame) return;
-  next_ = std::async(std::launch::async, [this, attempt = tracker_->beginAttempt(*frame)]() mutable {
-    tracker_->registerToModel(attempt, preprocessor_->process(attempt.clues.frame), reference_);
-    return std::move(attempt);
-  });
+  next_ = std::async(
+      std::launch::async, [this, attempt = tracker_->beginAttempt(withIntrinsics(*frame))]() mutable {
+        tracker_->registerToModel(attempt, preprocessor_->process(attempt.clues.frame), reference_);
+        return std::move(attempt);
+      });
 }
 
 FrameTracking::KeyFrameOutcome FrameTracking::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
                                                           const SurfaceMaps& surface) {
   if (!tracker_) return {};
   KeyFrameOutcome outcome;
-  outcome.is_key_frame = timer_.time("track", [&] { return tracker_->addKeyFrame(frame, depth, surface); });
+  outcome.is_key_frame =
+      timer_.time("track", [&] { return tracker_->addKeyFrame(withIntrinsics(frame), depth, surface); });
   outcome.returned = tracker_->takeReturned();
   return outcome;
 }

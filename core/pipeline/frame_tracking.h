@@ -55,10 +55,18 @@ class FrameTracking {
   using Integrate = std::function<void(const DepthPyramid&, const Eigen::Isometry3d& T_world_camera)>;
   [[nodiscard]] std::vector<LateFrame> reconsider(const Integrate& integrate);
 
-  /// Of the working depth.
+  /// Of the working depth of the last frame.
   [[nodiscard]] const Intrinsics& intrinsics() const { return K_; }
+  /// Of that of a frame with this RgbdFrame::intrinsics.
+  [[nodiscard]] Intrinsics intrinsicsOf(const std::optional<Intrinsics>& of_frame) const {
+    return workingCameraOf(of_frame.value_or(setup_.K), setup_.params.working_width);
+  }
   void setK(const Intrinsics& K) { K_ = K; }
-  [[nodiscard]] const DepthPyramid& prepare(const RgbdFrame& frame) { return preprocessor_->process(frame); }
+  [[nodiscard]] bool isOfRecordedSize(const RgbdFrame& frame) const {
+    return frame.depth.cols == setup_.K.width && frame.depth.rows == setup_.K.height;
+  }
+  /// Prepares the depth of a frame, which becomes the last one.
+  [[nodiscard]] const DepthPyramid& prepare(const RgbdFrame& frame);
   /// Null: poses are given.
   [[nodiscard]] PoseTracker* tracker() { return tracker_.get(); }
   [[nodiscard]] const SurfaceMaps& reference() const { return reference_; }
@@ -66,10 +74,15 @@ class FrameTracking {
   void awaitNext();
 
  private:
-  FrameTracking(ComputeContext& compute, StageTimer& timer) : compute_(compute), timer_(timer) {}
+  FrameTracking(ComputeContext& compute, StageTimer& timer, const Setup& setup)
+      : compute_(compute), timer_(timer), setup_(setup) {}
+
+  /// The frame with its own intrinsics, or those of the recording.
+  [[nodiscard]] RgbdFrame withIntrinsics(const RgbdFrame& frame) const;
 
   ComputeContext& compute_;
   StageTimer& timer_;
+  Setup setup_;
   Intrinsics K_;
   std::unique_ptr<DepthPreprocessor> preprocessor_;
   std::unique_ptr<PoseTracker> tracker_;

@@ -218,10 +218,10 @@ Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
   return guarded("segmenting frame " + std::to_string(frame.index) + " more closely", segment);
 }
 
-Intrinsics MappingPipeline::closeCamera(const cv::Size& depth) const {
+Intrinsics MappingPipeline::closeCamera(const RgbdFrame& frame) const {
   constexpr int kCloser = 2;
-  const Intrinsics& K = tracking_->intrinsics();
-  const int width = std::min(depth.width, kCloser * K.width);
+  const Intrinsics K = workingIntrinsicsOf(frame.intrinsics);
+  const int width = std::min(frame.depth.cols, kCloser * K.width);
   if (width <= K.width) return K;
   return K.resizedTo(width, (width * K.height + K.width / 2) / K.width);
 }
@@ -229,7 +229,7 @@ Intrinsics MappingPipeline::closeCamera(const cv::Size& depth) const {
 FrameResult MappingPipeline::observe(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
   FrameResult seen;
   seen.pose.T_world_camera = T_world_camera;
-  seen.view = readout_->render(T_world_camera, closeCamera(frame.depth.size()), observed_);
+  seen.view = readout_->render(T_world_camera, closeCamera(frame), observed_);
   SurfaceInColor in_color = locateInColor(frame.color_camera, seen.view);
   seen.observed = scantrove::observe(frame, seen.view, std::move(in_color), params_.fusion.depth_noise_m);
   return seen;
@@ -239,17 +239,17 @@ Result<SegmentMap> MappingPipeline::segmentAgain() {
   return guarded("segmenting the frame again", [&]() -> Result<SegmentMap> {
     if (!has_pose_) return SegmentMap{};
     SegmentMap segments = segmenter_->segment(fusion_->surface(), params_.segmentation);
-    const Intrinsics& K = tracking_->intrinsics();
+    const Intrinsics& K = fusion_->surface().K;
     segmentOnSupports(supportsOf(segments, K), color_lab_, K, segments);
     return segments;
   });
 }
 
 Result<SegmentMap> MappingPipeline::segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
-                                                   const SegmentationParams& params) {
+                                                   const Intrinsics& K, const SegmentationParams& params) {
   return guarded("segmenting a view of the map", [&]() -> Result<SegmentMap> {
     SurfaceMaps surface;
-    fusion_->map().raycast(T_world_camera, tracking_->intrinsics(), surface);
+    fusion_->map().raycast(T_world_camera, K, surface);
     return segmenter_->segment(surface, params);
   });
 }

@@ -73,7 +73,7 @@ class MappingPipeline {
   /// map. Neither changes map or labels. Error: the device failed.
   [[nodiscard]] Result<SegmentMap> segmentAgain();
   [[nodiscard]] Result<SegmentMap> segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
-                                                  const SegmentationParams& params);
+                                                  const Intrinsics& K, const SegmentationParams& params);
 
   [[nodiscard]] const MapLabels& labels() const { return *labels_; }
   [[nodiscard]] MapLabels& labels() { return *labels_; }
@@ -83,8 +83,13 @@ class MappingPipeline {
   [[nodiscard]] CameraContinuation& camera() { return *camera_; }
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
   [[nodiscard]] StageTimer& timer() { return timer_; }
-  /// Of the working views.
+  /// Of the working view of the last frame.
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return tracking_->intrinsics(); }
+  /// Of that of a frame with this RgbdFrame::intrinsics; none: of a frame with the recording's. All have one
+  /// size.
+  [[nodiscard]] Intrinsics workingIntrinsicsOf(const std::optional<Intrinsics>& of_frame) const {
+    return tracking_->intrinsicsOf(of_frame);
+  }
   /// Bricks whose labels the last frame may have changed.
   [[nodiscard]] std::span<const Eigen::Vector3i> touchedBricks() const { return touched_; }
 
@@ -98,7 +103,7 @@ class MappingPipeline {
   void findCandidates(CandidateSource& finder, const RegionTable& table,
                       std::span<const std::uint8_t> newly_appeared, FrameResult& result) const;
   [[nodiscard]] Result<RegionEditor::Outcome> applied(Result<RegionEditor::Outcome> outcome);
-  [[nodiscard]] Intrinsics closeCamera(const cv::Size& depth) const;
+  [[nodiscard]] Intrinsics closeCamera(const RgbdFrame& frame) const;
   [[nodiscard]] Error outOfMemory(int frame_index) const;
 
   ComputeContext& compute_;

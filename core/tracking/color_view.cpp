@@ -34,7 +34,8 @@ GrayView grayViewOf(const RgbdFrame& frame, const Intrinsics& K_depth) {
     const double scale = static_cast<double>(kWidest_px) / view.image.cols;
     cv::resize(view.image, view.image, {}, scale, scale, cv::INTER_AREA);
   }
-  view.K = (frame.color_camera ? frame.color_camera->K : K_depth).resizedTo(view.image.cols, view.image.rows);
+  view.K = (frame.color_camera ? frame.color_camera->K : frame.intrinsics.value_or(K_depth))
+               .resizedTo(view.image.cols, view.image.rows);
   if (frame.color_camera) view.T_color_depth = frame.color_camera->T_color_depth;
   return view;
 }

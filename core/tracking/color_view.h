@@ -19,7 +19,7 @@ struct GrayView {
   Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();
 };
 
-/// `K_depth`: of the frame's depth images.
+/// `K_depth`: of depth images of frames without their own intrinsics.
 [[nodiscard]] GrayView grayViewOf(const RgbdFrame& frame, const Intrinsics& K_depth);
 
 /// The map's surface as seen by a colour camera.

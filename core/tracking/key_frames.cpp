@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "core/capture/usable_depth.h"
 #include "core/tracking/feature_matching.h"
 #include "core/tracking/view_distance.h"
 
@@ -38,7 +39,7 @@ cv::Mat thumbnailOf(const RgbdFrame& frame) {
     cv::cvtColor(small, small, cv::COLOR_BGR2GRAY);
     small.convertTo(small, CV_32F);
   } else {
-    cv::resize(frame.depth, small, kThumbnail, 0, 0, cv::INTER_NEAREST);
+    cv::resize(usableDepth(frame), small, kThumbnail, 0, 0, cv::INTER_NEAREST);
     small.convertTo(small, CV_32F, static_cast<double>(frame.meters_per_unit));
     const cv::Mat none = small < kNearestReading_m;
     small = 1 / cv::max(small, kNearestReading_m);

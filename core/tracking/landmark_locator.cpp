@@ -1,5 +1,6 @@
 #include "core/tracking/landmark_locator.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "core/tracking/tracked_corners.h"
@@ -35,10 +36,10 @@ void LandmarkLocator::beginCorners(Clues& clues, const SurfaceMaps& model, const
   const GrayView& last = clues.last_gray ? *clues.last_gray : lastGray();
   const GrayView& now = grayOf(clues);
   if (last.image.empty() || now.image.empty()) return;
-  clues.coming_corners =
-      std::async(std::launch::async, [last, now, guess, T_model = model.T_world_camera,
-                                      vertices = model.vertices_world.read(compute_.queue())] {
-        const SurfaceInView surface(last.K, T_model * last.T_color_depth.inverse(), vertices);
+  clues.coming_corners = std::async(
+      std::launch::async,
+      [last, now, guess, T_last = lastPose(model), vertices = model.vertices_world.read(compute_.queue())] {
+        const SurfaceInView surface(last.K, T_last * last.T_color_depth.inverse(), vertices);
         return trackCorners(last, surface, now, guess * now.T_color_depth.inverse());
       });
 }
@@ -86,6 +87,7 @@ const Landmarks* LandmarkLocator::nearestLandmarks(const Eigen::Isometry3d& T_wo
 
 std::vector<const KeyFrame*> LandmarkLocator::similarKeyFrames(Clues& clues) {
   finishAdding();
+  if (color_.isExpected() && clues.frame.color.empty()) return {};
   const ColorView& view = viewOf(clues);
   return key_frames_.alike(thumbnailOf(clues.frame), view, kKeyFramesToTry);
 }
@@ -110,13 +112,19 @@ void LandmarkLocator::endFrame(Clues& clues) {
   located_view_ = std::move(clues.view);
 }
 
-void LandmarkLocator::setLastFrame(const RgbdFrame& frame, const Intrinsics& K_depth) {
+bool LandmarkLocator::setLastFrame(const RgbdFrame& frame, const Intrinsics& K_depth,
+                                   const Eigen::Isometry3d& T_world_depth) {
   finishAdding();
+  is_first_with_color_ = color_.add(!frame.color.empty());
+  is_last_older_ = frame.color.empty() && color_.isExpected();
+  if (is_last_older_) return false;
   last_frame_ = frame;
+  T_world_last_ = T_world_depth;
   K_depth_ = K_depth;
   last_gray_ = std::exchange(located_gray_, std::nullopt);
   last_view_ = std::exchange(located_view_, std::nullopt);
   last_landmarks_.reset();
+  return true;
 }
 
 bool LandmarkLocator::isAtUncheckedKeyFrame(const Eigen::Isometry3d& T_world_camera) {
@@ -163,6 +171,11 @@ void LandmarkLocator::finishAdding() {
 }
 
 void LandmarkLocator::restoreState(GrayView last_gray, std::deque<KeyFrame> key_frames) {
+  color_ = {};
+  color_.add(!last_gray.image.empty() || std::ranges::any_of(key_frames, [](const KeyFrame& key_frame) {
+    return !key_frame.landmarks.points_world.empty();
+  }));
+  is_first_with_color_ = is_last_older_ = false;
   last_gray_ = std::move(last_gray);
   key_frames_ = KeyFrames(std::move(key_frames));
   checked_ = nullptr;
@@ -171,6 +184,7 @@ void LandmarkLocator::restoreState(GrayView last_gray, std::deque<KeyFrame> key_
 void LandmarkLocator::forgetLastFrame() {
   finishAdding();
   last_frame_ = {};
+  is_last_older_ = false;
   last_gray_.reset();
   last_view_.reset();
   last_landmarks_.reset();
@@ -198,6 +212,8 @@ const GrayView& LandmarkLocator::lastGray() {
   return *last_gray_;
 }
 
+GrayView LandmarkLocator::newestGray() { return is_last_older_ ? GrayView{} : lastGray(); }
+
 const ColorView& LandmarkLocator::lastView() {
   if (!last_view_) last_view_ = finder_.find(lastGray());
   return *last_view_;
@@ -205,8 +221,7 @@ const ColorView& LandmarkLocator::lastView() {
 
 const Landmarks& LandmarkLocator::lastLandmarks(const SurfaceMaps& model) {
   if (!last_landmarks_) {
-    last_landmarks_ =
-        landmarksOf(lastView(), model.T_world_camera, model.vertices_world.read(compute_.queue()));
+    last_landmarks_ = landmarksOf(lastView(), lastPose(model), model.vertices_world.read(compute_.queue()));
   }
   return *last_landmarks_;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/capture/color_presence.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/compute/compute_context.h"
 #include "core/fusion/surface_maps.h"
@@ -17,7 +18,8 @@
 namespace scantrove {
 
 /// Locates the camera by its colour images: by landmarks of the tracking key frames and of the last usable
-/// frame, and by corners of that frame. Owns the key frames and detects loop closures. One thread, the
+/// frame, and by corners of that frame. Owns the key frames and detects loop closures. If some frames have no
+/// colour, the last usable frame here is the last one with colour. One thread, the
 /// context's; may throw cl::Error. Other threads extract features and detect loop closures until the next
 /// call that needs the result.
 class LandmarkLocator {
@@ -52,7 +54,8 @@ class LandmarkLocator {
   void seekLandmarks(Clues& clues, const SurfaceMaps& model, const std::optional<Eigen::Isometry3d>& about,
                      const Eigen::Isometry3d& last, bool is_lost);
 
-  /// The key frames that a lost camera is compared with, most likely first.
+  /// The key frames that a lost camera is compared with, most likely first. None for a frame without colour
+  /// among others with colour, whose thumbnails cannot be compared.
   [[nodiscard]] std::vector<const KeyFrame*> similarKeyFrames(Clues& clues);
   /// Pose by landmarks of a key frame. An image without features gets the key frame's pose and no landmarks.
   [[nodiscard]] std::optional<LandmarkPose> locateAt(Clues& clues, const KeyFrame& key_frame);
@@ -60,8 +63,12 @@ class LandmarkLocator {
   /// Call before and after locating each frame. `K_depth`: of its depth images.
   void beginFrame(const Intrinsics& K_depth);
   void endFrame(Clues& clues);
-  /// Makes the frame that was located last the last usable one.
-  void setLastFrame(const RgbdFrame& frame, const Intrinsics& K_depth);
+  /// Makes the frame that was located last the last usable one. False: it has no colour, and earlier ones
+  /// had; the last one with colour stays, and this frame can be no key frame.
+  bool setLastFrame(const RgbdFrame& frame, const Intrinsics& K_depth,
+                    const Eigen::Isometry3d& T_world_depth);
+  /// Whether the last usable frame is the first one with colour, so that no key frame has landmarks.
+  [[nodiscard]] bool isFirstWithColor() const { return is_first_with_color_; }
 
   /// Whether the nearest key frame was not checked for a loop closure just before.
   [[nodiscard]] bool isAtUncheckedKeyFrame(const Eigen::Isometry3d& T_world_camera);
@@ -77,6 +84,8 @@ class LandmarkLocator {
 
   /// Image of the last usable frame.
   [[nodiscard]] const GrayView& lastGray();
+  /// The same if no frame without colour followed it; else empty.
+  [[nodiscard]] GrayView newestGray();
   void restoreState(GrayView last_gray, std::deque<KeyFrame> key_frames);
   /// Forgets the last usable frame, but no key frame.
   void forgetLastFrame();
@@ -97,14 +106,22 @@ class LandmarkLocator {
   [[nodiscard]] const GrayView& grayOf(Clues& clues) const;
   [[nodiscard]] const ColorView& viewOf(Clues& clues);
   [[nodiscard]] static const SeenLandmarks& cornersOf(Clues& clues);
+  /// Pose of the last usable frame; `model` is of the newest, with or without colour.
+  [[nodiscard]] const Eigen::Isometry3d& lastPose(const SurfaceMaps& model) const {
+    return is_last_older_ ? T_world_last_ : model.T_world_camera;
+  }
   [[nodiscard]] const ColorView& lastView();
   [[nodiscard]] const Landmarks& lastLandmarks(const SurfaceMaps& model);
 
   ComputeContext& compute_;
   FeatureFinder finder_;
   KeyFrames key_frames_;
-  RgbdFrame last_frame_;                     // the last usable one
-  Intrinsics K_depth_;                       // of its depth images
+  RgbdFrame last_frame_;                                            // the last usable one
+  Intrinsics K_depth_;                                              // of its depth images
+  Eigen::Isometry3d T_world_last_ = Eigen::Isometry3d::Identity();  // its pose, if is_last_older_
+  bool is_last_older_ = false;               // usable frames without colour followed it
+  ColorPresence color_;                      // in usable frames
+  bool is_first_with_color_ = false;         // the last usable frame
   std::optional<GrayView> last_gray_;        // its image, once needed
   std::optional<ColorView> last_view_;       // likewise
   std::optional<Landmarks> last_landmarks_;  // likewise

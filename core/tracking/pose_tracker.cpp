@@ -236,9 +236,9 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
 }
 
 bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
-  locator_.setLastFrame(frame, depth.K);
   const Eigen::Isometry3d& T_world_camera = model.T_world_camera;
-  const bool is_new_key_frame = replayPose(T_world_camera);
+  const bool has_landmarks = locator_.setLastFrame(frame, depth.K, T_world_camera);
+  const bool is_new_key_frame = replayPose(T_world_camera) || locator_.isFirstWithColor();
   if (seen_.isDue(T_world_camera)) {
     const DepthPyramid::Level& level = depth.levels[std::min(kStoredLevel, depth.levels.size() - 1)];
     seen_.add(T_world_camera, StoredSurface(level.K, level.vertices_camera.read(compute_.queue())));
@@ -247,7 +247,7 @@ bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
     return seen_.nearestSeenAgain(T_world_camera) != nullptr &&
            locator_.isAtUncheckedKeyFrame(T_world_camera);
   };
-  if (!is_new_key_frame && !mayCloseLoop()) return false;
+  if (!has_landmarks || (!is_new_key_frame && !mayCloseLoop())) return false;
   return locator_.addKeyFrame(model, is_new_key_frame);
 }
 
@@ -260,7 +260,7 @@ bool PoseTracker::replayPose(const Eigen::Isometry3d& T_world_camera) {
 std::optional<PoseTracker::Memory> PoseTracker::memory() {
   const KeyFrames& key_frames = locator_.keyFrames();
   if (!last_) return std::nullopt;
-  return Memory{*last_, before_last_, is_lost_, locator_.lastGray(), key_frames.all(), seen_.all()};
+  return Memory{*last_, before_last_, is_lost_, locator_.newestGray(), key_frames.all(), seen_.all()};
 }
 
 void PoseTracker::restoreState(Memory memory) {

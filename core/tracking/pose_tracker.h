@@ -67,7 +67,7 @@ class PoseTracker {
     Eigen::Isometry3d last = Eigen::Isometry3d::Identity();  ///< pose of the last usable frame
     std::optional<Eigen::Isometry3d> before_last;  ///< of the frame before it, if that was usable too
     bool is_lost = false;                          ///< the last frame was not usable
-    GrayView last_view;                            ///< of the last usable frame
+    GrayView last_view;                            ///< of the last usable frame; empty without colour
     std::deque<KeyFrame> places;
     std::deque<SeenSurfaces::View> surfaces;
   };

@@ -137,6 +137,47 @@ TEST(DepthPreprocessor, GivesEmptyMaps_WithoutReadings) {
   });
 }
 
+TEST(DepthPreprocessor, UsesTheFramesOwnCamera_AndThenThatOfTheRecordingAgain) {
+  onEachWidth([](ComputeContext& compute) {
+    const auto preprocessor = make(compute, kKinect, {.working_width = 320});
+    RgbdFrame frame;
+    frame.depth = cv::Mat(480, 640, CV_16UC1, cv::Scalar(2000));
+    const Intrinsics own{600, 601, 322, 238, 640, 480};
+    for (const bool has_own : {true, false}) {
+      frame.intrinsics = has_own ? std::optional(own) : std::nullopt;
+      const Intrinsics expected = has_own ? own : kKinect;
+      const DepthPyramid& pyramid = preprocessor->process(frame);
+      EXPECT_EQ(pyramid.K, expected);
+      EXPECT_EQ(pyramid.levels[0].K, expected.resizedTo(320, 240));
+      EXPECT_FLOAT_EQ(pyramid.levels[1].K.fx, expected.fx / 4);
+      // A corner of the plane 2 m away, seen at full resolution in pixel 0.5.
+      const cl_float4 first = pyramid.levels[0].vertices_camera.read(compute.queue()).front();
+      EXPECT_NEAR(first.s[0], (0.5F - expected.cx) / expected.fx * 2, 1e-4F);
+      EXPECT_NEAR(first.s[1], (0.5F - expected.cy) / expected.fy * 2, 1e-4F);
+    }
+  });
+}
+
+TEST(DepthPreprocessor, LeavesOutReadings_OfLowConfidence) {
+  onEachWidth([](ComputeContext& compute) {
+    const auto preprocessor = make(compute, kKinect);
+    RgbdFrame frame;
+    frame.depth = cv::Mat(480, 640, CV_16UC1, cv::Scalar(2000));
+    frame.depth(cv::Rect(100, 100, 60, 60)) = 1990;  // a little off: the filter would mix them
+    frame.confidence = cv::Mat(480, 640, CV_8UC1, cv::Scalar(kMediumConfidence));
+    frame.confidence(cv::Rect(100, 100, 60, 60)) = kLowConfidence;
+    const DepthPyramid& pyramid = preprocessor->process(frame);
+    const std::vector<float> depth_m = pyramid.depth_m.read(compute.queue());
+    EXPECT_EQ(std::ranges::count(depth_m, 0.0F), 60 * 60);
+    EXPECT_EQ(depth_m[130 * 640 + 130], 0.0F);
+    for (const cl_float4& vertex : pyramid.levels[0].vertices_camera.read(compute.queue())) {
+      if (vertex.s[3] > 0) {
+        ASSERT_FLOAT_EQ(vertex.s[2], 2);
+      }
+    }
+  });
+}
+
 TEST(DepthPreprocessor, GivesFiniteValues_InHoles) {
   onEachWidth([](ComputeContext& compute) {
     const auto preprocessor = make(compute, kKinect);

@@ -97,6 +97,23 @@ TEST(PoseTracker, Relocalizes_AtVisitedPoses) {
   }
 }
 
+TEST(PoseTracker, Relocalizes_WhenEverySecondFrameHasColor) {
+  std::vector<RgbdFrame> frames = recorded(synthetic::makeTabletopScene, 180, 9);
+  for (std::size_t i = 1; i < frames.size(); i += 2) frames[i].color.release();
+  onEachDevice([&](ComputeContext& compute) {
+    TrackingRig rig(compute, kCamera);
+    for (const RgbdFrame& frame : frames) ASSERT_TRUE(rig.show(frame).usable()) << frame.index;
+    for (const std::size_t elsewhere : {4UL, 14UL, 8UL}) {
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(rig.show(covered(frames.front())).state, TrackingState::lost);
+      PoseEstimate pose;
+      std::size_t tries = 0;
+      for (; tries < 6 && !pose.usable(); ++tries) pose = rig.show(frames[elsewhere + tries]);
+      ASSERT_EQ(pose.state, TrackingState::relocalized) << elsewhere;
+      EXPECT_LT(errorOf_m(pose, frames[elsewhere + tries - 1], frames.front()), 0.010) << elsewhere;
+    }
+  });
+}
+
 /// A frame of a room corner of which only the rectangle `keyhole` has depth.
 RgbdFrame through(const cv::Rect& keyhole, int index) {
   AnalyticScene scene = roomCorner();

@@ -28,8 +28,8 @@ struct Outcome {
 
 /// `ahead`: the frame that is announced while frame i is processed.
 template <class Ahead>
-Outcome scan(ComputeContext& compute, const std::vector<RgbdFrame>& frames, Ahead&& ahead) {
-  const Intrinsics K = SyntheticOptions{}.K;
+Outcome scan(ComputeContext& compute, const std::vector<RgbdFrame>& frames, Ahead&& ahead,
+             const Intrinsics& K = SyntheticOptions{}.K) {
   const auto pipeline = MappingPipeline::create(compute, {K, MappingParams{}}).value();
   Outcome outcome;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -67,6 +67,24 @@ TEST(NextFrame, GivesTheSameResults_WhenStartedEarly) {
   // A frame without a pose has no labelling, so nothing runs beside it.
   EXPECT_EQ(in_turn.results[12].pose.usable(), false);
   EXPECT_GT(ahead.requests, 20);
+  expectSameResults(in_turn, ahead);
+}
+
+TEST(NextFrame, GivesTheSameResults_WhenFramesHaveOwnCamerasAndFewColors) {
+  const auto compute = ComputeContext::create({}).value();
+  SourceOptions options;
+  options.frames = 24;
+  const auto source = makeSyntheticSource("room:phone", options).value();
+  std::vector<RgbdFrame> frames;
+  for (int i = 0; i < 24; ++i) frames.push_back(source->next().frame);
+  frames[11].intrinsics.reset();  // has that of the recording
+  const Intrinsics K = source->info().intrinsics;
+  const Outcome in_turn = scan(
+      *compute, frames, [](std::size_t) { return std::nullopt; }, K);
+  const Outcome ahead = scan(
+      *compute, frames,
+      [&](std::size_t i) { return i + 1 < frames.size() ? std::optional(frames[i + 1]) : std::nullopt; }, K);
+  EXPECT_GT(ahead.requests, 10);
   expectSameResults(in_turn, ahead);
 }
 

@@ -57,6 +57,16 @@ TEST(LandmarksOf, PlacesFeaturesOnTheSurface) {
   }
 }
 
+TEST(GrayViewOf, HasTheCameraOfItsFrame_WhenThatHasItsOwn) {
+  RgbdFrame frame = patchwork();
+  EXPECT_EQ(grayViewOf(frame, kDepth).K, kDepth.resizedTo(frame.color.cols, frame.color.rows));
+  frame.intrinsics = Intrinsics{540, 541, 318, 241, 640, 480};
+  EXPECT_EQ(grayViewOf(frame, kDepth).K, frame.intrinsics->resizedTo(frame.color.cols, frame.color.rows));
+  const Intrinsics K_color{530, 530, 315, 245, frame.color.cols, frame.color.rows};
+  frame.color_camera = ColorCamera{K_color, Eigen::Isometry3d::Identity()};
+  EXPECT_EQ(grayViewOf(frame, kDepth).K, K_color) << "a separate colour camera";
+}
+
 TEST(LandmarksOf, SkipsFeaturesAtOutlines) {
   FeatureFinder finder;
   const ColorView view = finder.find(grayViewOf(patchwork(), kDepth));
