@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/capture/usable_depth.h"
 #include "core/collection/bounds_in_color.h"
 
 namespace scantrove {
@@ -143,7 +144,7 @@ std::optional<ObjectView> cropView(const RgbdFrame& frame, const Eigen::Isometry
   cv::multiply(depth_pixels, cv::Scalar(sx, sy), depth_pixels);
   depth_pixels -= cv::Scalar(0.5, 0.5);
   cv::Mat depth;
-  cv::remap(frame.depth, depth, depth_pixels, {}, cv::INTER_NEAREST, cv::BORDER_CONSTANT, 0);
+  cv::remap(usableDepth(frame), depth, depth_pixels, {}, cv::INTER_NEAREST, cv::BORDER_CONSTANT, 0);
   depth.convertTo(view.depth_mm, CV_16U, static_cast<double>(frame.meters_per_unit) * 1000.0);
   return view;
 }

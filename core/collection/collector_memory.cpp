@@ -15,9 +15,10 @@
 namespace scantrove {
 namespace {
 
-constexpr std::uint32_t kMemoryVersion = 2;
-constexpr std::uint32_t kWithQuality = 2;   ///< first version with StoredView::quality
-constexpr int kLargestImageSide = 1 << 16;  // of an image
+constexpr std::uint32_t kMemoryVersion = 3;
+constexpr std::uint32_t kWithQuality = 2;     ///< first version with StoredView::quality
+constexpr std::uint32_t kWithIntrinsics = 3;  ///< first version with StoredView::intrinsics
+constexpr int kLargestImageSide = 1 << 16;    // of an image
 
 // Each record is described once, in describe(): writing and reading visit its fields in that order.
 
@@ -48,6 +49,7 @@ void describe(Archive& archive, T& view) {
   if (archive.version() >= kWithQuality) {
     archive(view.quality.pixels, view.quality.sharpness, view.quality.outline, view.quality.hidden);
   }
+  if (archive.version() >= kWithIntrinsics) archive(view.intrinsics);
 }
 template <class Archive, SameRecord<CollectorState> T>
 void describe(Archive& archive, T& state) {
@@ -97,6 +99,7 @@ class MemoryWriter {
     for (int row = 0; row < image.rows; ++row)
       to_.putAll(std::span<const unsigned char>(image.ptr(row), row_bytes));
   }
+  void write(const std::optional<Intrinsics>& K) { to_.put(K.value_or(Intrinsics{})); }
   void write(const ViewSphere& views) { write(views.directions()); }
   void write(const RecognitionHistory& history) { write(history.tallies()); }
   template <class A, class B>
@@ -181,6 +184,16 @@ class MemoryReader {
     image.create(rows, cols, type);
     const std::size_t row_bytes = static_cast<std::size_t>(cols) * image.elemSize();
     for (int row = 0; row < rows; ++row) from_.getAll(std::span<unsigned char>(image.ptr(row), row_bytes));
+  }
+  void read(std::optional<Intrinsics>& K) {
+    const auto stored = from_.get<Intrinsics>();
+    if (stored == Intrinsics{}) return K.reset();
+    const auto isSide = [](int side) { return side > 0 && side < kLargestImageSide; };
+    const auto isFocal = [](float focal) { return std::isfinite(focal) && focal > 0; };
+    const bool is_camera = isFocal(stored.fx) && isFocal(stored.fy) && std::isfinite(stored.cx) &&
+                           std::isfinite(stored.cy) && isSide(stored.width) && isSide(stored.height);
+    if (!is_camera) return from_.refuse();
+    K = stored;
   }
   void read(StoredView& view) {
     describe(*this, view);

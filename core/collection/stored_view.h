@@ -1,8 +1,10 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "core/base/ids.h"
+#include "core/capture/intrinsics.h"
 #include "core/collection/view_choice.h"
 
 namespace scantrove {
@@ -12,7 +14,8 @@ struct StoredView {
   ObjectId object;      ///< the view was stored for it
   int frame_index = 0;  ///< RgbdFrame::index
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  cv::Size image_px;  ///< size of the image that box, mask and depth refer to
+  std::optional<Intrinsics> intrinsics = {};  ///< RgbdFrame::intrinsics
+  cv::Size image_px;                          ///< size of the image that box, mask and depth refer to
   cv::Rect box_px;
   cv::Mat mask;               ///< as Candidate::mask
   cv::Mat z_m;                ///< CV_32FC1, same size: the frame's depth there, 0 = none

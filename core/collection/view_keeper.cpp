@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/capture/usable_depth.h"
 #include "core/collection/candidate_crop.h"
 #include "core/image/sharpness.h"
 
@@ -28,7 +29,7 @@ constexpr float kElsewhere_deg = 40;
 /// The frame's depth at the pixels of the candidate's mask; `image_px`: size of the candidate's image.
 cv::Mat depthAt(const RgbdFrame& frame, const Candidate& candidate, const cv::Size& image_px) {
   cv::Mat depth, z_m;
-  cv::resize(frame.depth, depth, image_px, 0, 0, cv::INTER_NEAREST);
+  cv::resize(usableDepth(frame), depth, image_px, 0, 0, cv::INTER_NEAREST);
   depth(candidate.box_px).convertTo(z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
   z_m.setTo(0, candidate.mask == 0);
   return z_m;
@@ -162,9 +163,9 @@ std::optional<ObjectView> ViewKeeper::viewOf(const Candidate& candidate,
 void ViewKeeper::noteStored(const ObjectView& view, const Candidate& candidate,
                             const ObservedFrame& observed) {
   const cv::Size image_px = observed.in_color.places.size();
-  views_.push_back({view.object, view.frame_index, view.T_world_camera, image_px, candidate.box_px,
-                    candidate.mask.clone(), depthAt(observed.frame, candidate, image_px), view.direction,
-                    candidate.size_m.norm(), qualityOf(candidate, observed)});
+  views_.push_back({view.object, view.frame_index, view.T_world_camera, observed.frame.intrinsics, image_px,
+                    candidate.box_px, candidate.mask.clone(), depthAt(observed.frame, candidate, image_px),
+                    view.direction, candidate.size_m.norm(), qualityOf(candidate, observed)});
 }
 
 bool ViewKeeper::matchesSize(const ObjectRecord& known, const Candidate& candidate,
@@ -225,7 +226,7 @@ std::vector<ViewKeeper::ViewsCamera> ViewKeeper::camerasOfViews(int frame_index)
   for (const StoredView& view : views_) {
     if (view.frame_index == frame_index &&
         std::ranges::find(cameras, view.image_px, &ViewsCamera::image_px) == cameras.end())
-      cameras.push_back({view.image_px, view.T_world_camera});
+      cameras.push_back({view.image_px, view.T_world_camera, view.intrinsics});
   }
   return cameras;
 }

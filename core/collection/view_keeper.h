@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -54,6 +55,7 @@ class ViewKeeper {
   struct ViewsCamera {
     cv::Size image_px;
     Eigen::Isometry3d T_world_camera;
+    std::optional<Intrinsics> intrinsics;  ///< RgbdFrame::intrinsics
   };
   /// One entry for each size of the views stored in that frame.
   [[nodiscard]] std::vector<ViewsCamera> camerasOfViews(int frame_index) const;

@@ -189,8 +189,8 @@ Result<bool> FinalPass::judgeViews() {
 }
 
 Result<void> FinalPass::judgeViewsOf(int frame_index) {
-  for (const auto& [image_px, T_world_camera] : collector_.views().camerasOfViews(frame_index)) {
-    const Intrinsics K = pipeline_.workingIntrinsics().resizedTo(image_px.width, image_px.height);
+  for (const auto& [image_px, T_world_camera, intrinsics] : collector_.views().camerasOfViews(frame_index)) {
+    const Intrinsics K = pipeline_.workingIntrinsicsOf(intrinsics).resizedTo(image_px.width, image_px.height);
     const Result<RenderedView> view = pipeline_.readout().renderView(T_world_camera, K);
     if (!view) return fail(view.error());
     collector_.views().compare(frame_index, *view, pipeline_.params().fusion.depth_noise_m);

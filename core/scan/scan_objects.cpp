@@ -23,7 +23,9 @@ Result<FrameObjects> ScanObjects::addFrame(const RgbdFrame& frame, const FrameRe
     });
     keepKnown(objects);
     collector_->checkPlaces(result.observed.depth, pipeline_.params().fusion.depth_noise_m);
-    last_seen_ = {frame, result.pose.T_world_camera};
+    // The last one with colour, if any has it: views of objects need it.
+    if (!last_seen_ || last_seen_->frame.color.empty() || !frame.color.empty())
+      last_seen_ = {frame, result.pose.T_world_camera};
     return objects;
   };
   return guarded("in frame " + std::to_string(frame.index), add);
@@ -110,8 +112,8 @@ std::map<RegionId, RegionLabel> ScanObjects::labels() const {
 
 Result<void> ScanObjects::addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce) {
   if (!last_seen_ || collector_->requests().pending().empty()) return {};
-  const Result<RenderedView> view =
-      pipeline_.readout().renderView(last_seen_->T_world_camera, pipeline_.workingIntrinsics());
+  const Intrinsics K = pipeline_.workingIntrinsicsOf(last_seen_->frame.intrinsics);
+  const Result<RenderedView> view = pipeline_.readout().renderView(last_seen_->T_world_camera, K);
   if (!view) return fail(view.error());
   std::vector<Candidate> candidates;
   addRequested(*collector_, {*view}, pipeline_.params().discovery.min_points, candidates);

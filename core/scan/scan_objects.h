@@ -64,7 +64,7 @@ class ScanObjects {
     RgbdFrame frame;
     Eigen::Isometry3d T_world_camera;
   };
-  std::optional<Seen> last_seen_;  // the last usable frame
+  std::optional<Seen> last_seen_;  // the last usable frame, with colour if any has it
 };
 
 }  // namespace scantrove

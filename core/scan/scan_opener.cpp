@@ -18,9 +18,12 @@
 namespace scantrove {
 namespace {
 
-/// The same resolution, and the same lens to a hundredth.
-bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
-  const auto isNear = [](float x, float y, float scale) { return std::abs(x - y) <= 0.01F * scale; };
+/// Tolerance of focal lengths and centres of one lens, and of one that focuses during recordings.
+constexpr float kSameLens = 0.01F, kSameFocusingLens = 0.05F;
+
+/// The same resolution, and the same lens.
+bool isSameCamera(const Intrinsics& a, const Intrinsics& b, float tolerance) {
+  const auto isNear = [&](float x, float y, float scale) { return std::abs(x - y) <= tolerance * scale; };
   return a.width == b.width && a.height == b.height && isNear(a.fx, b.fx, a.fx) && isNear(a.fy, b.fy, a.fy) &&
          isNear(a.cx, b.cx, a.fx) && isNear(a.cy, b.cy, a.fy);
 }
@@ -157,11 +160,14 @@ Result<void> ScanOpener::readSession(const SourceInfo& info) {
   SCANTROVE_TRY(loadEarlier());
   const Result<SessionSetup> setup = setupFrom(earlier_->metadata);
   if (!setup) return fail(setup.error());
-  if (!isSameCamera(setup->K, info.intrinsics)) {
+  const bool focuses = std::ranges::any_of(
+      earlier_->frames, [](const SavedFrame& frame) { return frame.intrinsics.has_value(); });
+  if (!isSameCamera(setup->K, info.intrinsics, focuses ? kSameFocusingLens : kSameLens)) {
     return fail("The session " + request.output_folder->string() +
                     " was scanned with another camera than that of " + info.name + ".",
                 "Scan into a folder of its own.");
   }
+  if (setup->K != info.intrinsics) own_intrinsics_ = info.intrinsics;
   request.params.fusion = setup->params.fusion;
   parts_.setOrigin(setup->origin_m);
   if (!request.database.empty()) return {};
@@ -255,7 +261,7 @@ void ScanOpener::continueNumbers(const std::vector<SavedFrame>& earlier) {
   if (earlier.empty()) return;
   const int last = std::ranges::max_element(earlier, {}, &SavedFrame::source_index)->source_index;
   const double last_s = std::ranges::max_element(earlier, {}, &SavedFrame::time_s)->time_s;
-  auto continued = std::make_unique<ContinuedSource>(std::move(parts_.source), last, last_s);
+  auto continued = std::make_unique<ContinuedSource>(std::move(parts_.source), last, last_s, own_intrinsics_);
   parts_.continued = continued.get();
   parts_.source = std::move(continued);
 }

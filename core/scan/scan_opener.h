@@ -54,8 +54,9 @@ class ScanOpener {
 
   const ScanListener& listener_;
   ScanParts parts_;
-  std::unique_ptr<SessionWriter> session_;  // until the recorder takes it
-  std::optional<SavedScan> earlier_;        // the data in the session
+  std::unique_ptr<SessionWriter> session_;    // until the recorder takes it
+  std::optional<SavedScan> earlier_;          // the data in the session
+  std::optional<Intrinsics> own_intrinsics_;  // of the recording, if the session has others
 };
 
 }  // namespace scantrove

@@ -59,7 +59,7 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
     trajectory_.push_back({late.timestamp_s, late.pose.T_world_camera});
   if (!label_images_) return {};
   return label_images_->add({frame.index, frame.depth, frame.meters_per_unit, result.segments,
-                             result.view.regions, result.pose.T_world_camera});
+                             result.view.regions, result.pose.T_world_camera, frame.intrinsics});
 }
 
 Result<void> ScanOutput::writeTrajectory() {
@@ -78,8 +78,9 @@ Result<void> ScanOutput::finish(MappingPipeline& pipeline, const Regions& region
     outcome.note(guarded(activity, work));
   };
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
-  const FrameLabelWriter::RenderView render = [&](const Eigen::Isometry3d& T) {
-    return pipeline.readout().renderView(T, pipeline.workingIntrinsics());
+  const FrameLabelWriter::RenderView render = [&](const Eigen::Isometry3d& T,
+                                                  const std::optional<Intrinsics>& of_frame) {
+    return pipeline.readout().renderView(T, pipeline.workingIntrinsicsOf(of_frame));
   };
   if (label_images_) attempt("writing the label images", [&] { return label_images_->finish(render); });
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, regions); });

@@ -83,7 +83,7 @@ Result<void> ScanReview::showCurrent() {
   const SavedKeyFrame& key = *key_frames_[static_cast<std::size_t>(shown_)];
   const SavedFrame& saved = *session_->frameOf(key);
   Result<RenderedView> view =
-      pipeline.readout().renderView(saved.T_world_camera, pipeline.workingIntrinsics());
+      pipeline.readout().renderView(saved.T_world_camera, pipeline.workingIntrinsicsOf(saved.intrinsics));
   if (!view) return fail(view.error());
   Result<RgbdFrame> frame = readKeyFrame(session_->folder(), key, saved);
   // Its labels can be shown without its images.
@@ -118,8 +118,9 @@ std::vector<SeenObject> ScanReview::objectsIn(const FrameResult& result, const R
 Result<void> ScanReview::segment() {
   if (segmented_ == shown_) return {};
   const SavedFrame& saved = *session_->frameOf(*key_frames_[static_cast<std::size_t>(shown_)]);
-  SCANTROVE_TRY(
-      moveInto(segments_, session_->pipeline().segmentMapFrom(saved.T_world_camera, segmentation_)));
+  MappingPipeline& pipeline = session_->pipeline();
+  const Intrinsics K = pipeline.workingIntrinsicsOf(saved.intrinsics);
+  SCANTROVE_TRY(moveInto(segments_, pipeline.segmentMapFrom(saved.T_world_camera, K, segmentation_)));
   segmented_ = shown_;
   return {};
 }

@@ -58,11 +58,11 @@ struct ScanSnapshot {
   FrameCounts frames;
   int frames_total = 0;  ///< of the recording; 0 = unknown (live)
   PoseEstimate pose;
-  Intrinsics K;                                               ///< at the working resolution; for the frustum
+  Intrinsics K;                                               ///< of the frame, at the working resolution
   std::shared_ptr<const std::vector<Eigen::Vector3f>> trail;  ///< camera centres so far, world
 
   // Panels. Shared images that are not modified any more; any may be empty.
-  cv::Mat color;          ///< CV_8UC3 BGR, as recorded
+  cv::Mat color;          ///< CV_8UC3 BGR, as recorded; of an earlier frame if this one has none
   cv::Mat last_seen;      ///< colour of the last frame with a pose while tracking is lost; else empty
   cv::Mat depth_raw_m;    ///< CV_32FC1 metres, 0 = none, working resolution
   cv::Mat depth_fused_m;  ///< CV_32FC1 metres, 0 = none, working resolution: V_t's camera depth

@@ -83,8 +83,11 @@ void SnapshotBuilder::addFrame(const MappingPipeline& pipeline, RgbdFrame frame,
   measureRate();
   if (result.pose.usable()) {
     trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
-    last_seen_ = frame.color;
+    if (!frame.color.empty()) last_seen_ = frame.color;
   }
+  // A frame without colour shows the last image: devices may store fewer colour images than depth images.
+  if (frame.color.empty()) frame.color = last_color_;
+  last_color_ = frame.color;
   waiting_.beginFrame();
   addBricks(pipeline.touchedBricks());
   showFrame(std::move(frame), std::move(result), std::move(objects));
@@ -133,7 +136,7 @@ Result<void> SnapshotBuilder::post(MappingPipeline& pipeline, const ScanProgress
   snapshot->frames = progress.frames;
   snapshot->frames_total = progress.frames_total;
   snapshot->pose = result_.pose;
-  snapshot->K = pipeline.workingIntrinsics();
+  snapshot->K = result_.view.K.width > 0 ? result_.view.K : pipeline.workingIntrinsics();
   if (has_pictures_) {
     addPictures(*snapshot);
     addRegions(pipeline, *snapshot);

@@ -95,6 +95,7 @@ class SnapshotBuilder {
   FrameResult result_;
   std::vector<SeenObject> objects_;  // in frame_
   cv::Mat last_seen_;                // colour image of the last frame with a pose
+  cv::Mat last_color_;               // of the last frame with colour
   std::vector<Eigen::Vector3f> trail_;
   WaitingBricks waiting_;
   std::vector<RegionChange> region_changes_;                       // waiting

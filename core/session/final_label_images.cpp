@@ -146,7 +146,7 @@ Result<void> FinalLabelImages::draw(int frame_index, const cv::Mat& depth) {
   if (found == pending_.end() || frame == earlier_.frames.end()) return {};
   FinalLabelImage& image = *found->second;
   if (checksumOfDepth(depth) != image.depth_checksum) return {};
-  const Result<RenderedView> view = (*render_)(frame->T_world_camera);
+  const Result<RenderedView> view = (*render_)(frame->T_world_camera, frame->intrinsics);
   if (!view) return fail(view.error());
   Result<std::string> bytes =
       FrameLabelWriter::drawFinal(fileOf(frame_index), *view, depth, image.meters_per_unit, *numbers_);

@@ -71,8 +71,10 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   // A temporary name: if this process is killed, the next scan into the folder removes the file.
   const std::filesystem::path depth_file = makePartName(folder_ / "labels-final" / name);
   SCANTROVE_TRY(writeFileAtomically(depth_file, encodePng(frame.depth), Durability::process));
-  written_.push_back(
-      {{frame.index, checksumOfDepth(frame.depth), frame.meters_per_unit}, depth_file, frame.T_world_camera});
+  written_.push_back({{frame.index, checksumOfDepth(frame.depth), frame.meters_per_unit},
+                      depth_file,
+                      frame.T_world_camera,
+                      frame.intrinsics});
   return {};
 }
 
@@ -89,7 +91,7 @@ Result<void> FrameLabelWriter::finish(const RenderView& render) {
     outcome.note(done);
   };
   for (Written& frame : written_) {
-    Result<RenderedView> view = render(frame.T_world_camera);
+    Result<RenderedView> view = render(frame.T_world_camera, frame.intrinsics);
     wait();
     if (!view) outcome.note(fail(view.error()));
     if (!view || !written) break;

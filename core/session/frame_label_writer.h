@@ -6,10 +6,12 @@
 #include <functional>
 #include <mutex>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/capture/intrinsics.h"
 #include "core/fusion/rendered_view.h"
 #include "core/segmentation/segment_map.h"
 #include "core/session/final_label_record.h"
@@ -32,10 +34,12 @@ class FrameLabelWriter {
     SegmentMap segments;
     std::vector<RegionId> regions;  ///< as RenderedView::regions, at the segments' size
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+    std::optional<Intrinsics> intrinsics = {};  ///< RgbdFrame::intrinsics
   };
 
-  /// The finished map rendered from one pose.
-  using RenderView = std::function<Result<RenderedView>(const Eigen::Isometry3d& T_world_camera)>;
+  /// The finished map rendered from one pose, for a frame with this RgbdFrame::intrinsics.
+  using RenderView = std::function<Result<RenderedView>(const Eigen::Isometry3d& T_world_camera,
+                                                        const std::optional<Intrinsics>& intrinsics)>;
 
   /// The three folders exist in `folder`; only this writer uses `numbers` until finish() has returned.
   FrameLabelWriter(std::filesystem::path folder, RegionNumbers& numbers);
@@ -69,6 +73,7 @@ class FrameLabelWriter {
     FinalLabelImage image;
     std::filesystem::path depth_file;  ///< temporary copy of the frame's depth
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+    std::optional<Intrinsics> intrinsics;
     bool has_final = false;  ///< its image in labels-final/ exists
   };
   [[nodiscard]] Result<void> writeFinal(Written& frame, const RenderedView& view);

@@ -65,12 +65,40 @@ QVariant checksumOrNull(const std::optional<std::uint32_t>& checksum) {
   return checksum ? QVariant(*checksum) : QVariant();
 }
 
+QVariant numberOrNull(const std::optional<Intrinsics>& K, float Intrinsics::*number) {
+  return K ? QVariant(static_cast<double>((*K).*number)) : QVariant();
+}
+
+QVariant sideOrNull(const std::optional<Intrinsics>& K, int Intrinsics::*side) {
+  return K ? QVariant((*K).*side) : QVariant();
+}
+
+/// The frame's own camera, or none if the columns are empty. False: neither.
+bool readIntrinsics(const QSqlQuery& row, int first_column, std::optional<Intrinsics>& K) {
+  constexpr int kColumns = 6;
+  int empty = 0, numbers = 0;
+  for (int i = 0; i < kColumns; ++i) empty += row.value(first_column + i).isNull() ? 1 : 0;
+  if (empty == kColumns) return true;
+  const auto number = [&](int i) {
+    bool is_number = false;
+    const float value = row.value(first_column + i).toFloat(&is_number);
+    numbers += is_number ? 1 : 0;
+    return value;
+  };
+  const auto side = [&](int i) {
+    return static_cast<int>(integerAt(row, first_column + i, kCounts).value_or(0));
+  };
+  K = Intrinsics{number(0), number(1), number(2), number(3), side(4), side(5)};
+  return numbers == 4 && isPlausible(*K);
+}
+
 std::optional<SavedFrame> frameFrom(const QSqlQuery& row) {
   const auto pose = poseAt(row, 4);
   const auto state = stateFrom(text(row, 3));
   SavedFrame frame;
   frame.time_s = row.value(2).toDouble();
-  if (!pose || !state || !areIntegers(row, 0, 1, kCounts) || !std::isfinite(frame.time_s))
+  if (!pose || !state || !areIntegers(row, 0, 1, kCounts) || !std::isfinite(frame.time_s) ||
+      !readIntrinsics(row, 11, frame.intrinsics))
     return std::nullopt;
   frame.number = row.value(0).toInt();
   frame.source_index = row.value(1).toInt();
@@ -114,7 +142,13 @@ Result<void> writeFrames(DatabaseConnection& database, const SavedDelta& delta) 
                        {"qx", q.x()},
                        {"qy", q.y()},
                        {"qz", q.z()},
-                       {"qw", q.w()}}));
+                       {"qw", q.w()},
+                       {"fx", numberOrNull(frame.intrinsics, &Intrinsics::fx)},
+                       {"fy", numberOrNull(frame.intrinsics, &Intrinsics::fy)},
+                       {"cx", numberOrNull(frame.intrinsics, &Intrinsics::cx)},
+                       {"cy", numberOrNull(frame.intrinsics, &Intrinsics::cy)},
+                       {"width", sideOrNull(frame.intrinsics, &Intrinsics::width)},
+                       {"height", sideOrNull(frame.intrinsics, &Intrinsics::height)}}));
   }
   if (!delta.frames.empty()) SCANTROVE_TRY(seal(database, "frames"));
   for (const SavedKeyFrame& key : delta.key_frames) {
@@ -131,8 +165,12 @@ Result<void> writeFrames(DatabaseConnection& database, const SavedDelta& delta) 
 }
 
 Result<void> readFrames(DatabaseConnection& database, SavedScan& scan, std::vector<std::string>& damages) {
-  SCANTROVE_TRY(readTable(database, {"frames", "SELECT * FROM frames ORDER BY number", "frames"}, damages,
-                          scan.frames, frameFrom));
+  SCANTROVE_TRY(readTable(database,
+                          {"frames",
+                           "SELECT number, source_index, time_s, state, tx, ty, tz, qx, qy, qz, qw,"
+                           " fx, fy, cx, cy, width, height, row_check FROM frames ORDER BY number",
+                           "frames"},
+                          damages, scan.frames, frameFrom));
   return readTable(database, {"key_frames", "SELECT * FROM key_frames ORDER BY number", "key frames"},
                    damages, scan.key_frames, keyFrameFrom);
 }

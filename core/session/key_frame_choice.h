@@ -17,13 +17,17 @@ class KeyFrameChoice {
   KeyFrameChoice() = default;
   explicit KeyFrameChoice(std::vector<Eigen::Isometry3d> taken) : taken_(std::move(taken)) {}
 
-  /// Whether the frame is selected; it then counts as taken.
-  bool takes(const Eigen::Isometry3d& T_world_camera) {
-    const bool is_new = std::ranges::none_of(taken_, [&](const Eigen::Isometry3d& other) {
+  /// Whether no selected frame shows the same.
+  [[nodiscard]] bool isNew(const Eigen::Isometry3d& T_world_camera) const {
+    return std::ranges::none_of(taken_, [&](const Eigen::Isometry3d& other) {
       const Eigen::Isometry3d motion = other.inverse() * T_world_camera;
       return motion.translation().norm() < kMinMotion_m &&
              Eigen::AngleAxisd(motion.linear()).angle() < kMinTurn_rad;
     });
+  }
+  /// Whether the frame is selected; it then counts as taken.
+  bool takes(const Eigen::Isometry3d& T_world_camera) {
+    const bool is_new = isNew(T_world_camera);
     if (is_new) taken_.push_back(T_world_camera);
     return is_new;
   }

@@ -8,6 +8,7 @@
 
 #include "core/base/checksum.h"
 #include "core/base/regular_file.h"
+#include "core/capture/usable_depth.h"
 #include "core/exchange/atomic_file.h"
 #include "core/image/color_bytes.h"
 #include "core/image/image_file.h"
@@ -45,7 +46,7 @@ Result<void> writeColor(SessionStore& session, const RgbdFrame& frame, SavedKeyF
 }
 
 Result<void> writeDepth(SessionStore& session, const RgbdFrame& frame, SavedKeyFrame& key) {
-  const std::string bytes = encodePng(frame.depth);
+  const std::string bytes = encodePng(usableDepth(frame));
   key.depth_checksum = crcOfImage(bytes);
   SCANTROVE_TRY(moveInto(key.depth_file, session.claimImage(stemOf(key.frame), ".depth.png")));
   return writeFileAtomically(session.folder() / key.depth_file, bytes, Durability::process);
@@ -88,11 +89,16 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   read.timestamp_s = frame.time_s;
   read.meters_per_unit = key_frame.meters_per_unit;
   read.color_camera = key_frame.color_camera;
+  read.intrinsics = frame.intrinsics;
   const fs::path depth_file = session_folder / key_frame.depth_file;
   SCANTROVE_TRY(checkFile(depth_file, key_frame.depth_checksum));
   SCANTROVE_TRY(moveInto(read.depth, orLeftOut(readGrayImage(depth_file), depth_file)));
   if (read.depth.type() != CV_16UC1) {
     return fail("The key frame image " + depth_file.string() + " is no 16-bit depth image.",
+                "That frame is left out; the rest can be used.");
+  }
+  if (frame.intrinsics && read.depth.size() != cv::Size(frame.intrinsics->width, frame.intrinsics->height)) {
+    return fail("The key frame image " + depth_file.string() + " has another size than its camera.",
                 "That frame is left out; the rest can be used.");
   }
   if (!key_frame.color_file.empty()) {

@@ -237,13 +237,14 @@ Result<OpenSession::SurfacePoint> OpenSession::at(int frame, int x, int y) {
     return fail("There is no frame " + std::to_string(frame) + " in " + folder_.string() + ".",
                 "session show says which frames there are.");
   if (!saved->isUsable()) return fail(called + " has no pose: the camera was lost.", "Name another frame.");
-  const Intrinsics& K = setup_.K;
+  const Intrinsics K = intrinsicsOf(*saved);
   if (x < 0 || y < 0 || x >= K.width || y >= K.height) {
     return fail("The pixel " + std::to_string(x) + "," + std::to_string(y) + " lies outside of the " +
                     std::to_string(K.width) + " x " + std::to_string(K.height) + " pixels of a frame.",
                 "Count from 0,0 at the top left.");
   }
-  const auto view = pipeline_->readout().renderView(saved->T_world_camera, pipeline_->workingIntrinsics());
+  const auto view = pipeline_->readout().renderView(saved->T_world_camera,
+                                                    pipeline_->workingIntrinsicsOf(saved->intrinsics));
   if (!view) return fail(view.error());
   const auto column = static_cast<std::size_t>(x * view->K.width / K.width);
   const auto row = static_cast<std::size_t>(y * view->K.height / K.height);

@@ -50,6 +50,10 @@ class OpenSession {
   [[nodiscard]] const std::vector<SavedKeyFrame>& keyFrames() const { return scan_.key_frames; }
   /// The frame of a key frame; null: no longer known.
   [[nodiscard]] const SavedFrame* frameOf(const SavedKeyFrame& key_frame) const;
+  /// The depth camera of a frame.
+  [[nodiscard]] Intrinsics intrinsicsOf(const SavedFrame& frame) const {
+    return frame.intrinsics.value_or(setup_.K);
+  }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// Sentences about unreadable data.
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }

@@ -41,14 +41,14 @@ bool isCutOff(const cv::Rect& box, const Intrinsics& K) {
 Result<std::vector<Showing>> framesThatShow(OpenSession& session, RegionId region) {
   std::map<int, const SavedFrame*> frames;
   for (const SavedFrame& frame : session.frames()) frames[frame.number] = &frame;
-  const Intrinsics& K = session.setup().K;
-  const Intrinsics small = K.resizedTo(kSmallWidth_px, std::max(1, kSmallWidth_px * K.height / K.width));
   std::vector<Showing> showing;
   KeyFrameChoice choice;  // a session may have the images of every frame
   for (const SavedKeyFrame& key : session.keyFrames()) {
     const auto found = frames.find(key.frame);
     if (found == frames.end() || !found->second->isUsable() || key.color_file.empty()) continue;
     const Eigen::Isometry3d& T_world_camera = found->second->T_world_camera;
+    const Intrinsics K = session.intrinsicsOf(*found->second);
+    const Intrinsics small = K.resizedTo(kSmallWidth_px, std::max(1, kSmallWidth_px * K.height / K.width));
     if (!choice.takes(T_world_camera)) continue;
     const Result<RenderedView> view = session.pipeline().readout().renderView(T_world_camera, small);
     if (!view) return fail(view.error());
@@ -66,7 +66,7 @@ Result<std::vector<Showing>> framesThatShow(OpenSession& session, RegionId regio
 Result<std::optional<ObjectView>> cropFrom(OpenSession& session, const Showing& showing, RegionId region) {
   const Result<RgbdFrame> frame = readKeyFrame(session.folder(), *showing.images, *showing.frame);
   if (!frame || frame->color.empty()) return std::nullopt;
-  const Intrinsics& K = session.pipeline().workingIntrinsics();
+  const Intrinsics K = session.pipeline().workingIntrinsicsOf(showing.frame->intrinsics);
   const Result<RenderedView> view = session.pipeline().readout().renderView(showing.frame->T_world_camera, K);
   if (!view) return fail(view.error());
   const std::optional<Candidate> seen = candidateOf(region, {*view}, kMinPixels);

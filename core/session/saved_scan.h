@@ -26,6 +26,7 @@ struct SavedFrame {
   double time_s = 0;     ///< likewise
   TrackingState state = TrackingState::lost;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::optional<Intrinsics> intrinsics = {};  ///< RgbdFrame::intrinsics; none: SessionSetup::K
 
   /// Whether the pose is reliable.
   [[nodiscard]] bool isUsable() const {
@@ -43,8 +44,9 @@ struct SavedRecording {
 };
 
 struct SavedKeyFrame {
-  int frame = 0;                                 ///< SavedFrame::number
-  std::filesystem::path color_file, depth_file;  ///< in the session's folder; no colour: empty
+  int frame = 0;  ///< SavedFrame::number
+  /// In the session's folder; no colour: empty. The depth image has no readings of low confidence.
+  std::filesystem::path color_file, depth_file;
   float meters_per_unit = 0.001F;
   int color_width = 0, color_height = 0;
   std::optional<ColorCamera> color_camera;  ///< RgbdFrame::color_camera

@@ -40,7 +40,8 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   if (!scan.frames.empty()) setup.frames = scan.frames.back().number + 1;
   for (const SavedKeyFrame& key : scan.key_frames) {
     const auto of = std::ranges::find(scan.frames, key.frame, &SavedFrame::number);
-    if (of != scan.frames.end()) setup.key_frames.takes(of->T_world_camera);
+    if (of == scan.frames.end()) continue;
+    (key.color_file.empty() ? setup.without_color : setup.key_frames).takes(of->T_world_camera);
   }
   auto recorder = std::make_unique<SessionRecorder>(std::move(writer), std::move(setup));
   // The restored state is on disk.
@@ -97,7 +98,8 @@ void SessionRecorder::restart() {
     frame.T_world_camera.setIdentity();
     frames_.push_back(std::move(frame));
   }
-  setup_.key_frames = {};
+  setup_.key_frames = setup_.without_color = {};
+  color_ = {};
   voxels_.clear();
   seen_from_.clear();
   support_pixels_.clear();
@@ -111,28 +113,40 @@ void SessionRecorder::restart() {
 
 void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result) {
   const int number = setup_.frames++;
-  frames_.push_back({number, frame.index, frame.timestamp_s, result.pose.state, result.pose.T_world_camera});
+  const SavedFrame saved{
+      number,          frame.index, frame.timestamp_s, result.pose.state, result.pose.T_world_camera,
+      frame.intrinsics};
+  frames_.push_back(saved);
   keepFirst(frames_.back());
-  number_of_frame_[frame.index] = number;
-  if (number_of_frame_.size() > kRememberedFrames) number_of_frame_.erase(number_of_frame_.begin());
+  known_frames_[frame.index] = {number, frame.intrinsics};
+  if (known_frames_.size() > kRememberedFrames) known_frames_.erase(known_frames_.begin());
   for (const LateFrame& late : result.late) {
-    const auto known = number_of_frame_.find(late.index);
-    if (known == number_of_frame_.end()) continue;
-    frames_.push_back(
-        {known->second, late.index, late.timestamp_s, late.pose.state, late.pose.T_world_camera});
+    const auto known = known_frames_.find(late.index);
+    if (known == known_frames_.end()) continue;
+    frames_.push_back({known->second.number, late.index, late.timestamp_s, late.pose.state,
+                       late.pose.T_world_camera, known->second.intrinsics});
     keepFirst(frames_.back());
   }
-  if (writer_->isFailing()) return;
-  const bool is_new = result.pose.usable() && setup_.key_frames.takes(result.pose.T_world_camera);
-  // A continued camera relocalises with the same frames as an uninterrupted one.
-  if (!is_new && !result.is_tracking_key_frame && !setup_.all_frames) return;
-  const SavedFrame saved{number, frame.index, frame.timestamp_s, result.pose.state,
-                         result.pose.T_world_camera};
+  if (writer_->isFailing() || !isKeyFrame(frame, result)) return;
   writer_->post([frame, number, saved](SessionStore& store) -> Result<void> {
     const Result<SavedKeyFrame> key = writeKeyFrame(store, number, frame);
     if (!key) return fail(key.error());
     return store.saveKeyFrame(saved, *key);
   });
+}
+
+bool SessionRecorder::isKeyFrame(const RgbdFrame& frame, const FrameResult& result) {
+  const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
+  bool is_new = false;
+  if (result.pose.usable()) {
+    const bool has_color = !frame.color.empty();
+    color_.add(has_color);
+    is_new = has_color ? setup_.key_frames.takes(T_world_camera)
+                       : !color_.isExpected() && setup_.key_frames.isNew(T_world_camera) &&
+                             setup_.without_color.takes(T_world_camera);
+  }
+  // A continued camera relocalises with the same frames as an uninterrupted one.
+  return is_new || result.is_tracking_key_frame || setup_.all_frames;
 }
 
 void SessionRecorder::keepFirst(const SavedFrame& frame) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/capture/color_presence.h"
 #include "core/capture/continued_source.h"
 #include "core/collection/object_collector.h"
 #include "core/fusion/stored_page.h"
@@ -41,6 +42,8 @@ class SessionRecorder {
     SessionMetadata metadata = {};   ///< of a new scan
     int frames = 0;                  ///< already in the session
     KeyFrameChoice key_frames = {};  ///< already in the session
+    KeyFrameChoice without_color =
+        {};  ///< the same of frames without colour, which do not stand for their place
     std::optional<SavedObjectness> objectness = {};  ///< to store with the next save
   };
   SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup);
@@ -107,10 +110,18 @@ class SessionRecorder {
   void hand(SavedDelta delta);
   /// Applies while there are few frames.
   void keepFirst(const SavedFrame& frame);
+  /// Whether the frame's images belong to the session. Where frames have colour, only those are chosen,
+  /// because exports and views need it.
+  [[nodiscard]] bool isKeyFrame(const RgbdFrame& frame, const FrameResult& result);
 
   std::unique_ptr<SessionWriter> writer_;
   Setup setup_;
-  std::map<int, int> number_of_frame_;      // by index of the source, for frames that may be integrated late
+  struct KnownFrame {
+    int number;  // SavedFrame::number
+    std::optional<Intrinsics> intrinsics;
+  };
+  std::map<int, KnownFrame> known_frames_;  // by index of the source, for frames that may be integrated late
+  ColorPresence color_;                     // in usable frames
   std::vector<SavedFrame> first_usable_;    // those that restart() would drop
   std::vector<SavedFrame> frames_;          // not handed over yet
   std::vector<SavedRecording> recordings_;  // not handed over yet

@@ -10,6 +10,7 @@
 #include "core/labeling/evidence_graph.h"
 #include "core/labeling/kernels/label_voxel.h"
 #include "core/session/key_frame_files.h"
+#include "core/session/session_setup.h"
 
 namespace scantrove {
 namespace {
@@ -151,6 +152,23 @@ Result<void> restoreCamera(MappingPipeline& pipeline, SessionWriter& session, co
   return {};
 }
 
+/// All depth images of a session have one size.
+void dropForeignIntrinsics(SavedScan& scan, const SessionWriter& session, std::vector<std::string>& damages) {
+  const Result<SessionSetup> setup = setupFrom(scan.metadata);
+  if (!setup) return;  // whoever needs it reports it
+  int foreign = 0;
+  for (SavedFrame& frame : scan.frames) {
+    if (!frame.intrinsics ||
+        (frame.intrinsics->width == setup->K.width && frame.intrinsics->height == setup->K.height))
+      continue;
+    frame.intrinsics.reset();
+    ++foreign;
+  }
+  if (foreign > 0)
+    damages.push_back("The cameras of " + std::to_string(foreign) + " frames of the session in " +
+                      session.folder().string() + " are of other image sizes and are left out.");
+}
+
 /// Without its map no frame can be relocalised, and new surface would lie anywhere.
 Result<void> checkHasMap(const BrickMap& bricks, const SessionWriter& session, const SavedScan& scan) {
   if (bricks.brickCount() > 0 || std::ranges::none_of(scan.frames, &SavedFrame::isUsable)) return {};
@@ -168,6 +186,7 @@ Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& dam
     return {};
   });
   SCANTROVE_TRY(session.flush());
+  if (scan) dropForeignIntrinsics(*scan, session, damages);
   return scan;
 }
 

@@ -64,14 +64,20 @@ Result<std::vector<LabeledRegion>> SessionScan::regions() {
 
 Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
   std::vector<KeyFrameInfo> list;
-  KeyFrameChoice choice;
+  // A frame without colour does not stand for a place that another one shows with colour.
+  KeyFrameChoice choice, with_color;
   for (const StoredFrame& kept : stored_) {
+    if (!kept.images->color_file.empty()) with_color.takes(kept.frame->T_world_camera);
+  }
+  for (const StoredFrame& kept : stored_) {
+    const bool is_replaced = kept.images->color_file.empty() && !with_color.isNew(kept.frame->T_world_camera);
+    if (is_replaced && !all_frames) continue;
     if (!choice.takes(kept.frame->T_world_camera) && !all_frames) continue;
     KeyFrameInfo info;
     info.index = kept.index;
     info.timestamp_s = kept.frame->time_s;
     info.T_world_depth = kept.frame->T_world_camera;
-    info.K_depth = session_.setup().K;
+    info.K_depth = session_.intrinsicsOf(*kept.frame);
     info.meters_per_unit = kept.images->meters_per_unit;
     info.K_color = info.K_depth;
     if (kept.images->color_camera) {

@@ -37,6 +37,7 @@ SavedDelta someDelta() {
     frame.source_index = number;
     frame.time_s = 0.03 * number;
     frame.state = TrackingState::tracking;
+    if (number == 2) frame.intrinsics = Intrinsics{530, 531, 320, 240, 640, 480};
     delta.frames.push_back(frame);
   }
   delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100, {}});

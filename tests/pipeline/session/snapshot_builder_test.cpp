@@ -98,6 +98,28 @@ TEST_F(SnapshotBuilderTest, SendsAllBricks_ALimitedNumberPerSnapshot) {
   EXPECT_EQ(idle->trail->size(), 1U);
 }
 
+TEST_F(SnapshotBuilderTest, ShowsTheLastColor_WhenAFrameHasNone) {
+  addFrame();
+  FrameRead read = source_->next();
+  const cv::Mat color = read.frame.color;
+  const auto add = [&](RgbdFrame frame) {
+    Result<FrameResult> result = pipeline_->processFrame(frame);
+    ASSERT_TRUE(result) << result.error().message();
+    builder_.addFrame(*pipeline_, std::move(frame), std::move(*result));
+  };
+  add(read.frame);
+  RgbdFrame depth_only = source_->next().frame;
+  depth_only.color.release();
+  depth_only.intrinsics = Intrinsics{133, 133, 79.5F, 59.5F, 160, 120};
+  add(depth_only);
+  ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
+  const auto snapshot = mailbox_.collect();
+  ASSERT_TRUE(snapshot);
+  EXPECT_EQ(snapshot->frame_index, depth_only.index);
+  EXPECT_EQ(snapshot->color.data, color.data);
+  EXPECT_EQ(snapshot->K, *depth_only.intrinsics) << "the camera of this frame";
+}
+
 TEST_F(SnapshotBuilderTest, HasNumbersOnly_WithoutPictures) {
   builder_.omitPictures();
   ASSERT_FALSE(addFrame().empty());

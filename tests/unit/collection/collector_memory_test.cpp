@@ -45,6 +45,7 @@ CollectorState someState() {
   StoredView view;
   view.object = kNew;
   view.frame_index = 6;
+  view.intrinsics = Intrinsics{50, 51, 31.5F, 23.5F, 64, 48};
   view.image_px = {8, 6};
   view.box_px = {2, 1, 3, 2};
   view.mask = cv::Mat(2, 3, CV_8UC1, cv::Scalar(255));
@@ -74,6 +75,7 @@ TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
   EXPECT_EQ(read->views[0].box_px, cv::Rect(2, 1, 3, 2));
   EXPECT_FLOAT_EQ(read->views[0].z_m.at<float>(1, 2), 1.5F);
   EXPECT_TRUE(read->views[0].is_of_removed);
+  EXPECT_EQ(read->views[0].intrinsics, someState().views[0].intrinsics);
   EXPECT_FLOAT_EQ(read->views[0].quality.pixels, 1234.5F);
   EXPECT_FLOAT_EQ(read->views[0].quality.hidden, 0.15625F);
   EXPECT_TRUE(read->is_refining);
@@ -87,16 +89,17 @@ TEST(CollectorMemory, StateOfTheFirstVersionIsRead_WithoutTheQualityOfViews) {
   state.views[0].mask = cv::Mat(2, 2, CV_8UC1, cv::Scalar(255));  // whole words
   state.views[0].z_m = cv::Mat(2, 2, CV_32FC1, cv::Scalar(1.5));
   std::vector<std::uint32_t> memory = collectorMemory(state);
-  ASSERT_EQ(memory[0], 2U);
+  ASSERT_EQ(memory[0], 3U);
   memory[0] = 1;
   const auto quality = std::ranges::find(memory, std::bit_cast<std::uint32_t>(1234.5F));
   ASSERT_NE(quality, memory.end());
-  memory.erase(quality, quality + 4);
+  memory.erase(quality, quality + 10);  // four figures of the quality, six of the intrinsics
   const std::optional<CollectorState> read = collectorStateFrom(memory);
   ASSERT_TRUE(read);
   ASSERT_EQ(read->views.size(), 1U);
   EXPECT_FLOAT_EQ(read->views[0].quality.pixels, 4) << "of the mask";
   EXPECT_EQ(read->views[0].quality.sharpness, 0);
+  EXPECT_FALSE(read->views[0].intrinsics);
   EXPECT_EQ(read->frame, 77);
 }
 
@@ -111,6 +114,31 @@ TEST(CollectorMemory, NothingIsRead_WhenWordsAreMissingOrLeftOver) {
 TEST(CollectorMemory, NothingIsRead_WhenAViewLiesOutsideOfItsImage) {
   CollectorState state = someState();
   state.views[0].box_px.x = 7;
+  EXPECT_FALSE(collectorStateFrom(collectorMemory(state)));
+}
+
+TEST(CollectorMemory, StateOfTheSecondVersionIsRead_WithoutIntrinsicsOfViews) {
+  CollectorState state = someState();
+  state.views[0].box_px = {2, 1, 2, 2};
+  state.views[0].mask = cv::Mat(2, 2, CV_8UC1, cv::Scalar(255));  // whole words
+  state.views[0].z_m = cv::Mat(2, 2, CV_32FC1, cv::Scalar(1.5));
+  std::vector<std::uint32_t> memory = collectorMemory(state);
+  memory[0] = 2;
+  const auto quality = std::ranges::find(memory, std::bit_cast<std::uint32_t>(1234.5F));
+  ASSERT_NE(quality, memory.end());
+  memory.erase(quality + 4, quality + 10);
+  const std::optional<CollectorState> read = collectorStateFrom(memory);
+  ASSERT_TRUE(read);
+  EXPECT_FLOAT_EQ(read->views[0].quality.pixels, 1234.5F);
+  EXPECT_FALSE(read->views[0].intrinsics);
+  EXPECT_EQ(read->frame, 77);
+}
+
+TEST(CollectorMemory, NothingIsRead_WhenACameraIsNone) {
+  CollectorState state = someState();
+  state.views[0].intrinsics->fx = 0;
+  EXPECT_FALSE(collectorStateFrom(collectorMemory(state)));
+  state.views[0].intrinsics = Intrinsics{50, 50, 32, 24, 64, -48};
   EXPECT_FALSE(collectorStateFrom(collectorMemory(state)));
 }
 

@@ -68,6 +68,18 @@ TEST_F(DamagedKeyFrameTest, RefusesTheFrame_WhenAnotherImageReplacesItsOwn) {
   EXPECT_THAT(frame.error().message(), HasSubstr(color.string()));
 }
 
+TEST_F(DamagedKeyFrameTest, RefusesTheFrame_WhenItsCameraHasAnotherSize) {
+  const SavedKeyFrame key = saved(1500);
+  frame_.intrinsics = Intrinsics{30, 30, 16, 12, 32, 24};
+  const auto frame = readKeyFrame(store_->folder(), key, frame_);
+  ASSERT_TRUE(frame) << frame.error().message();
+  EXPECT_EQ(frame->intrinsics, frame_.intrinsics);
+  frame_.intrinsics->width = 64;
+  const auto refused = readKeyFrame(store_->folder(), key, frame_);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), AllOf(HasSubstr("another size"), HasSubstr("left out")));
+}
+
 TEST_F(DamagedKeyFrameTest, ReadsImages_WithoutChecksums) {
   SavedKeyFrame key = saved(1500);
   key.depth_checksum = key.color_checksum = std::nullopt;

@@ -5,7 +5,11 @@
 
 #include "core/fusion/packed_words.h"
 #include "core/fusion/stored_page.h"
+#include "core/session/session_restorer.h"
+#include "core/session/session_setup.h"
 #include "core/session/session_store.h"
+#include "core/session/session_writer.h"
+#include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
@@ -103,6 +107,57 @@ TEST_P(DamagedRowTest, SkipsAndNamesTheRow) {
                 scan->recordings.size() + scan->estimates.size() + scan->objectness.size() +
                 scan->metadata.size(),
             12U);
+}
+
+TEST(DamagedRows, SkipsAFrame_WhenItsCameraIsImpossible) {
+  const TemporaryFolder folder;
+  {
+    const auto store = SessionStore::create(folder.path() / "scan");
+    ASSERT_TRUE(store) << store.error().message();
+    SavedDelta delta;
+    for (const float focal : {210.0F, 0.0F, -210.0F}) {
+      SavedFrame frame;
+      frame.number = static_cast<int>(delta.frames.size());
+      frame.intrinsics = Intrinsics{focal, 210, 127.5F, 95.5F, 256, 192};
+      delta.frames.push_back(frame);
+    }
+    ASSERT_TRUE((*store)->save(delta));
+  }
+  const auto store = SessionStore::open(folder.path() / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const Result<SavedScan> scan = (*store)->load();
+  ASSERT_TRUE(scan) << scan.error().message();
+  ASSERT_EQ(scan->frames.size(), 1U);
+  EXPECT_EQ(scan->frames[0].intrinsics, (Intrinsics{210, 210, 127.5F, 95.5F, 256, 192}));
+  ASSERT_EQ((*store)->damages().size(), 1U);
+  EXPECT_THAT((*store)->damages()[0], HasSubstr("2 frames"));
+}
+
+TEST(DamagedRows, CamerasOfAnotherImageSizeAreLeftOut) {
+  const QtMainThread qt;
+  const TemporaryFolder folder;
+  {
+    const auto store = SessionStore::create(folder / "scan");
+    ASSERT_TRUE(store) << store.error().message();
+    SavedDelta delta;
+    delta.metadata = metadataOf({"demo", Intrinsics{212, 212, 127.5F, 95.5F, 256, 192}, ScanParams{}, ""});
+    for (const int width : {256, 320}) {
+      SavedFrame frame;
+      frame.number = static_cast<int>(delta.frames.size());
+      frame.intrinsics = Intrinsics{210, 210, 127.5F, 95.5F, width, 192};
+      delta.frames.push_back(frame);
+    }
+    ASSERT_TRUE((*store)->save(delta));
+  }
+  const auto session = SessionWriter::start(folder / "scan", SessionWriter::Way::open);
+  ASSERT_TRUE(session) << session.error().message();
+  std::vector<std::string> damages;
+  const Result<SavedScan> scan = loadScan(**session, damages);
+  ASSERT_TRUE(scan) << scan.error().message();
+  ASSERT_EQ(scan->frames.size(), 2U);
+  EXPECT_TRUE(scan->frames[0].intrinsics);
+  EXPECT_FALSE(scan->frames[1].intrinsics);
+  EXPECT_THAT(damages, ElementsAre(HasSubstr("cameras of 1 frames")));
 }
 
 QString operation(const char* regions, const char* moves, const char* constraints) {

@@ -29,7 +29,7 @@ Result<std::unique_ptr<FrameSource>> openRecording(const std::string& source) {
 
 /// A map that shows one region 1 m away from every pose.
 FrameLabelWriter::RenderView mapOfRegion(std::uint32_t region) {
-  return [region](const Eigen::Isometry3d&) -> Result<RenderedView> {
+  return [region](const Eigen::Isometry3d&, const std::optional<Intrinsics>&) -> Result<RenderedView> {
     RenderedView view;
     view.K.width = 4;
     view.K.height = 3;

@@ -38,7 +38,7 @@ FrameLabelWriter::Frame frameOf(int index, std::uint32_t left, std::uint32_t rig
 
 /// A map that shows `left` and `right` from every pose, as frameOf().
 FrameLabelWriter::RenderView mapOf(std::uint32_t left, std::uint32_t right) {
-  return [=](const Eigen::Isometry3d&) -> Result<RenderedView> {
+  return [=](const Eigen::Isometry3d&, const std::optional<Intrinsics>&) -> Result<RenderedView> {
     RenderedView view;
     view.K.width = kWidth;
     view.K.height = kHeight;
@@ -146,13 +146,34 @@ TEST(FrameLabelWriter, Fails_WhenTheMapCannotBeRendered) {
   RegionNumbers numbers;
   FrameLabelWriter writer(folder.path(), numbers);
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(writer.add(frameOf(i, 5, 6)));
-  const Result<void> finished = writer.finish([](const Eigen::Isometry3d& T) -> Result<RenderedView> {
-    if (T.translation().x() == 1) return fail("The device is gone.");
-    return mapOf(5, 6)(T);
-  });
+  const Result<void> finished = writer.finish(
+      [](const Eigen::Isometry3d& T, const std::optional<Intrinsics>& K) -> Result<RenderedView> {
+        if (T.translation().x() == 1) return fail("The device is gone.");
+        return mapOf(5, 6)(T, K);
+      });
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().what, HasSubstr("The device is gone."));
   EXPECT_EQ(halves(folder / "labels-final" / nameOf(0)), std::pair(5, 6));
+}
+
+TEST(FrameLabelWriter, RendersTheMapForTheCameraOfEachFrame) {
+  const TemporaryFolder folder;
+  makeFolders(folder);
+  RegionNumbers numbers;
+  FrameLabelWriter writer(folder.path(), numbers);
+  const Intrinsics own{7, 7, 3.5F, 2.5F, 2 * kWidth, 2 * kHeight};
+  for (int i = 0; i < 2; ++i) {
+    FrameLabelWriter::Frame frame = frameOf(i, 5, 6);
+    if (i == 1) frame.intrinsics = own;
+    ASSERT_TRUE(writer.add(std::move(frame)));
+  }
+  std::vector<std::optional<Intrinsics>> rendered;
+  ASSERT_TRUE(writer.finish(
+      [&](const Eigen::Isometry3d& T, const std::optional<Intrinsics>& K) -> Result<RenderedView> {
+        rendered.push_back(K);
+        return mapOf(5, 6)(T, K);
+      }));
+  EXPECT_THAT(rendered, testing::ElementsAre(std::nullopt, own));
 }
 
 }  // namespace

@@ -21,6 +21,14 @@ TEST(KeyFrameChoice, TakesAPose_WhenFarFromAllTakenPoses) {
   EXPECT_FALSE(choice.takes(at(0.01))) << "back where it was";
 }
 
+TEST(KeyFrameChoice, SelectsNothing_WhenAskedOnlyWhatIsNew) {
+  KeyFrameChoice choice;
+  EXPECT_TRUE(choice.isNew(at(0)));
+  EXPECT_TRUE(choice.isNew(at(0)));
+  EXPECT_TRUE(choice.takes(at(0)));
+  EXPECT_FALSE(choice.isNew(at(0.05)));
+}
+
 TEST(KeyFrameChoice, ContinuesFromTheKeyFramesOfASession) {
   KeyFrameChoice choice({at(1)});
   EXPECT_FALSE(choice.takes(at(1.02)));

@@ -47,6 +47,21 @@ TEST(WriteKeyFrame, StoresAnUprightJpegUnchanged) {
   EXPECT_TRUE(storedImage(folder, "frame.jpg", jpeg) == jpeg) << "not the same bytes";
 }
 
+TEST(WriteKeyFrame, StoresNoReadings_OfLowConfidence) {
+  const TemporaryFolder folder;
+  const auto session = SessionStore::create(folder / "scan");
+  ASSERT_TRUE(session) << session.error().message();
+  RgbdFrame frame = frameOf({});
+  frame.confidence = cv::Mat(24, 32, CV_8UC1, cv::Scalar(kMediumConfidence));
+  frame.confidence.at<std::uint8_t>(3, 4) = kLowConfidence;
+  const auto key = writeKeyFrame(**session, 3, frame);
+  ASSERT_TRUE(key) << key.error().message();
+  const auto read = readKeyFrame(folder / "scan", *key, SavedFrame{.number = 3});
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->depth.at<std::uint16_t>(3, 4), 0);
+  EXPECT_EQ(cv::countNonZero(read->depth), 24 * 32 - 1);
+}
+
 TEST(WriteKeyFrame, EncodesByContent_WhenTheNameIsWrong) {
   const TemporaryFolder folder;
   const std::string bitmap = encoded(".bmp", frameOf({}).color);

@@ -21,6 +21,7 @@ SavedDelta someDelta(int seed) {
   frame.time_s = 0.5 * seed;
   frame.state = TrackingState::relocalized;
   frame.T_world_camera = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY());
+  if (seed == 2) frame.intrinsics = Intrinsics{212.34567F, 211.98765F, 127.25F, 95.5F, 256, 192};
   delta.frames.push_back(frame);
   ViewCoverage seen_from;
   seen_from.addDirection({1, 2, -3});
@@ -109,6 +110,8 @@ TEST(SessionStore, LoadsWhatWasSaved) {
   EXPECT_EQ(scan->frames[1].source_index, 502);
   EXPECT_EQ(scan->frames[1].state, TrackingState::relocalized);
   EXPECT_TRUE(scan->frames[1].T_world_camera.isApprox(last.frames[0].T_world_camera, 1e-12));
+  EXPECT_FALSE(scan->frames[0].intrinsics);
+  EXPECT_EQ(scan->frames[1].intrinsics, last.frames[0].intrinsics) << "all bits";
   ASSERT_EQ(scan->fragments.size(), 1U);
   EXPECT_EQ(scan->fragments[0].voxels, 102);
   EXPECT_EQ(scan->fragments[0].seen_from, last.fragments[0].seen_from);
@@ -297,6 +300,8 @@ TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {
     ASSERT_TRUE(connection);
     for (const char* column : {"seen_from", "seen_pixels", "support_pixels", "carried_pixels"})
       ASSERT_TRUE((*connection)->execute(QString("ALTER TABLE fragments DROP COLUMN %1").arg(column)));
+    for (const char* column : {"fx", "fy", "cx", "cy", "width", "height"})
+      ASSERT_TRUE((*connection)->execute(QString("ALTER TABLE frames DROP COLUMN %1").arg(column)));
     for (const char* column : {"color_checksum", "depth_checksum"})
       ASSERT_TRUE((*connection)->execute(QString("ALTER TABLE key_frames DROP COLUMN %1").arg(column)));
     for (const char* table :
@@ -316,6 +321,8 @@ TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {
   EXPECT_EQ(scan->fragments[0].voxels, 101);
   EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
   EXPECT_EQ(scan->fragments[0].support_pixels, SupportPixels());
+  ASSERT_EQ(scan->frames.size(), 1U);
+  EXPECT_FALSE(scan->frames[0].intrinsics);
   EXPECT_FALSE((*store)->loadCamera()->has_value());
   EXPECT_TRUE(scan->metadata.contains("begun")) << "identifies its catalogue";
   EXPECT_FALSE(scan->metadata.contains("catalogue"));
