@@ -125,6 +125,8 @@ void FramePanels::setTag(const QStringList& tag) {
 void FramePanels::featureNext() { feature(panels_[(featured_ + 1) % panels_.size()]); }
 
 void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
+  const bool has_frame = !snapshot.depth_raw_m.empty() || !snapshot.regions.empty();
+  color_->setEmptyText(has_frame ? tr("This frame has no colour image.") : QString());
   color_->setFrame(colorPicture(snapshot.color), snapshot.objects);
   color_->setGhost(colorPicture(snapshot.last_seen));
   const DepthRange now = usualRange(snapshot.depth_raw_m, range_);
@@ -168,6 +170,7 @@ void FramePanels::clear() {
     panel->setPicture({});
     panel->setHighlight({});
   }
+  color_->setEmptyText({});
   color_->setFrame({}, {});
   color_->setGhost({});
   has_range_ = false;

@@ -76,6 +76,12 @@ void ImagePanel::setPicture(const QImage& picture) {
   update();
 }
 
+void ImagePanel::setEmptyText(const QString& text) {
+  if (text == empty_text_) return;
+  empty_text_ = text;
+  update();
+}
+
 QRectF ImagePanel::pictureRect() const {
   if (picture_.isNull()) return {};
   const QSizeF fitted = QSizeF(picture_.size()).scaled(size(), Qt::KeepAspectRatio);
@@ -163,7 +169,8 @@ void ImagePanel::paintTitle(QPainter& painter, const QRectF& card) {
   painter.setFont(smallFont());
   if (picture_.isNull()) {
     painter.setPen(Theme::instance().colors().muted_text);
-    painter.drawText(card, Qt::AlignCenter, title_);
+    const QString text = empty_text_.isEmpty() ? title_ : title_ + QLatin1Char('\n') + empty_text_;
+    painter.drawText(card, Qt::AlignCenter | Qt::TextWordWrap, text);
     return;
   }
   const QString title = QFontMetricsF(smallFont()).elidedText(title_, Qt::ElideRight, card.width() - 22);

@@ -20,6 +20,9 @@ class ImagePanel : public QWidget {
   ImagePanel(const QString& title, const QString& explanation, QWidget* parent = nullptr);
 
   void setPicture(const QImage& picture);
+  /// A sentence shown below the title while there is no picture; empty: none.
+  void setEmptyText(const QString& text);
+  [[nodiscard]] const QString& emptyText() const { return empty_text_; }
   /// Sets the tooltip: a click on the title enlarges this picture or, if it is large, the colour image.
   void setLarge(bool large);
   /// Drawn over the picture for highlighted regions; null: none.
@@ -83,7 +86,7 @@ class ImagePanel : public QWidget {
   [[nodiscard]] std::optional<QPointF> fractionAt(const QPointF& place) const;
   [[nodiscard]] QRectF band() const;
 
-  QString title_;
+  QString title_, empty_text_;
   QImage picture_, highlight_;
   QStringList tag_;
   std::optional<QPointF> pointer_, pressed_;  ///< widget coordinates

@@ -31,6 +31,22 @@ TEST(FramePanels, DarkensRegionsOutsideTheSelectedObject) {
   EXPECT_EQ(regions->picture().pixelColor(10, 20), other);
 }
 
+TEST(FramePanels, SaysSo_WhenAFrameHasNoColor) {
+  FramePanels panels;
+  ImagePanel* color = panels.panels()[0];
+  EXPECT_TRUE(color->emptyText().isEmpty()) << "before the first frame";
+  ScanSnapshot snapshot;
+  snapshot.regions = cv::Mat(48, 64, CV_32SC1, cv::Scalar(5));
+  snapshot.depth_raw_m = cv::Mat(48, 64, CV_32FC1, cv::Scalar(1));
+  panels.showSnapshot(snapshot);
+  EXPECT_TRUE(color->picture().isNull());
+  EXPECT_FALSE(color->emptyText().isEmpty());
+  panels.resize(420, 700);
+  EXPECT_FALSE(panels.grab().isNull());
+  panels.clear();
+  EXPECT_TRUE(color->emptyText().isEmpty());
+}
+
 TEST(FramePanels, EnlargesAPicture_WhenItsTitleIsClicked) {
   FramePanels panels;
   panels.resize(420, 700);
