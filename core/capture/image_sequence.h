@@ -25,9 +25,8 @@ struct ImageSequenceEntry {
   ImageDecoder decode_color, decode_depth, decode_confidence;  ///< in place of a file
   /// The frame's own camera, for images of its width and height; none: ImageSequence::camera.
   std::optional<Intrinsics> intrinsics;
-  std::filesystem::path
-      intrinsics_file;              ///< the same as a 3x3 matrix, of the depth images' size; empty: none
-  std::filesystem::path pose_file;  ///< a 4x4 matrix; empty: none
+  std::filesystem::path intrinsics_file;  ///< the same: 3x3, of the depth images' size; empty: none
+  std::filesystem::path pose_file;        ///< a 4x4 matrix; empty: none
   std::optional<Eigen::Isometry3d> T_world_camera;
 };
 

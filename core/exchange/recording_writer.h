@@ -12,11 +12,9 @@ namespace scantrove {
 /// Writes frames as a recording in the 7-Scenes layout, which openSource() reads back:
 ///
 ///     frame-NNNNNN.color.png .depth.png .pose.txt   those that the frame has; NNNNNN is its index
-///     frame-NNNNNN.intrinsics.txt                   3x3 camera of the depth image; only of frames with their
-///     own frame-NNNNNN.instance.png                     16 bit, 0 = none; only with ground truth
-///     intrinsic.json                                camera, depth units per metre, colour registration,
-///     whether
-///                                                   frames may have no colour
+///     frame-NNNNNN.intrinsics.txt                   3x3 camera of depth, if the frame has its own
+///     frame-NNNNNN.instance.png                     16 bit, 0 = none; only with ground truth
+///     intrinsic.json                                camera, depth units per metre, colour registration
 ///     instances.json                                [{id, name, object, extent_m}]; only with ground truth
 ///
 /// A frame is written completely or not at all. Foreign files in the folder are neither replaced nor removed.

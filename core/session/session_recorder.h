@@ -38,12 +38,11 @@ class SessionRecorder {
   };
 
   struct Setup {
-    bool all_frames = false;         ///< keep the images of every frame, not of key frames only
-    SessionMetadata metadata = {};   ///< of a new scan
-    int frames = 0;                  ///< already in the session
-    KeyFrameChoice key_frames = {};  ///< already in the session
-    KeyFrameChoice without_color =
-        {};  ///< the same of frames without colour, which do not stand for their place
+    bool all_frames = false;            ///< keep the images of every frame, not of key frames only
+    SessionMetadata metadata = {};      ///< of a new scan
+    int frames = 0;                     ///< already in the session
+    KeyFrameChoice key_frames = {};     ///< already in the session
+    KeyFrameChoice without_color = {};  ///< likewise; others with colour are still chosen there
     std::optional<SavedObjectness> objectness = {};  ///< to store with the next save
   };
   SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup);

@@ -276,9 +276,8 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
         fmt::format("There is no demo scene '{}'.", scene),
         "Choose tabletop, room, sweep, moving, hands, wall or corridor; add :7 for the random scene of that "
         "seed (not of wall and corridor), :hard for a camera that fails as real ones do (tabletop and room), "
-        ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise, :phone "
-        "for "
-        "a telephone's camera.");
+        ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise, "
+        ":phone for a telephone's camera.");
   }
   options.start = given.start;
   options.stride = given.stride;

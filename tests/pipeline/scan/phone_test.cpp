@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/session/key_frame_files.h"
 #include "core/session/open_session.h"
 #include "core/session/session_scan.h"
 #include "tests/support/scan_runner.h"
