@@ -81,8 +81,9 @@ TEST(FrameLabelWriter, WritesAllImages_WhenFramesExceedTheQueue) {
     ASSERT_TRUE(writer.add(frameOf(i, 90, i < 20 ? 30U + static_cast<std::uint32_t>(i) : 29U)));
   }
   // The final map shows one region from the pose of frame 1, and a new right region from all others.
-  ASSERT_TRUE(writer.finish(
-      [](const Eigen::Isometry3d& T) { return mapOf(90, T.translation().x() == 1 ? 90 : 95)(T); }));
+  ASSERT_TRUE(writer.finish([](const Eigen::Isometry3d& T, const std::optional<Intrinsics>& K) {
+    return mapOf(90, T.translation().x() == 1 ? 90 : 95)(T, K);
+  }));
   for (int i = 0; i < kFrames; ++i) {
     EXPECT_EQ(halves(folder / "segments" / nameOf(i)), std::pair(1, 2)) << i;
     EXPECT_EQ(halves(folder / "labels" / nameOf(i)), std::pair(90, i < 20 ? 30 + i : 29)) << i;
