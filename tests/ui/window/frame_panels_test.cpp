@@ -5,6 +5,7 @@
 
 #include "tests/ui/window/panel_pixels.h"
 #include "ui/panels/frame_panels.h"
+#include "ui/panels/image_panel.h"
 
 namespace scantrove {
 namespace {
