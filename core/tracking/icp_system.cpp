@@ -10,10 +10,6 @@
 namespace scantrove {
 namespace {
 
-/// Smallest eigenvalue at which the surface determines the pose well; below it landmarks are used. There the
-/// pose slides with errors that all readings share (lens, calibration, voxels). On a desk seen from afar the
-/// pose began to drift at 0.012. In a kitchen seen again, at 0.016 - 0.02, it was up to 20 mm off.
-constexpr double kFirm = 0.02;
 /// Weight of landmarks relative to the surface. They do not determine that direction well either (rotation
 /// resembles translation), but without bias. On that desk the pose was 150 mm off after 20 frames with 0.15,
 /// and 20 mm with 6.
@@ -96,7 +92,7 @@ IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue, const Land
   IcpSystem::Vector6 g = scale.cwiseProduct(system.Jtr) / system.weight;
   Eigen::SelfAdjointEigenSolver<IcpSystem::Matrix6> eigen(H);
   if (eigen.info() != Eigen::Success) return step;
-  step.is_firm = eigen.eigenvalues()(0) >= kFirm;
+  step.is_firm = eigen.eigenvalues()(0) >= kFirmEigenvalue;
   if (landmarks != nullptr && landmarks->weight > 0) {
     const double share = kLandmarkWeight / landmarks->weight;
     H += share * scale.asDiagonal() * landmarks->JtJ * scale.asDiagonal();

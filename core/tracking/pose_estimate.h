@@ -30,6 +30,9 @@ struct PoseEstimate {
   /// At a revisited place: the drift of the map since, which is removed from the pose.
   std::optional<double> drift_m = {};
   int free_directions = 0;  ///< directions of motion that the geometry does not determine
+  /// Usable, but not confirmed by the map: it follows the motion of a device that tracks itself.
+  bool is_by_device = false;
+  bool has_device_jumped = false;  ///< the device's pose jumped in this frame and was not believed
 
   [[nodiscard]] bool usable() const {
     return state == TrackingState::tracking || state == TrackingState::relocalized;

@@ -99,8 +99,9 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   const Evidence& requested = requiredEvidence(origin, on_little, angle_rad, distance_m);
   const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px
                                          : angle_rad < kReach_rad && distance_m < kReach_m;
-  const bool trusted = (pose.free_directions == 0 || by_landmarks) && isAtRest(outcome.step) &&
-                       within_reach && system.fit_residual_m <= requested.residual * depth_noise_m &&
+  const bool is_determined = pose.free_directions == 0 || by_landmarks || origin == GuessOrigin::device;
+  const bool trusted = is_determined && isAtRest(outcome.step) && within_reach &&
+                       system.fit_residual_m <= requested.residual * depth_noise_m &&
                        pose.inlier_fraction >= requested.inlier_fraction && overlap >= kTrustedOverlap &&
                        (!on_little || outcome.step.is_firm);
   pose.state = trusted ? TrackingState::tracking : TrackingState::uncertain;

@@ -16,13 +16,14 @@ struct IcpOutcome {
 /// Source of the pose from which ICP began. The less is known beforehand, the likelier is a false minimum.
 enum class GuessOrigin {
   prediction,  ///< the camera's last motion
+  device,      ///< the motion of a device that tracks itself; it determines directions that surface does not
   search,      ///< the best of many guesses
   landmarks,   ///< landmarks or corners, for a camera that is followed
   key_frame    ///< landmarks of a key frame, for a lost camera; a similar place may be mistaken for it
 };
 
 /// Decides whether the pose may be trusted, and computes its figures. `begin`: where ICP began (for a
-/// prediction: the pose of the model). `depth_noise_m`: FusionParams.
+/// prediction: the pose of the model; for a device: its prediction). `depth_noise_m`: FusionParams.
 ///
 /// A trusted pose has converged, its residual is the camera's noise, enough of the readings on known surface
 /// fit it, and the geometry or landmarks determine it. For a followed camera, readings in front of known

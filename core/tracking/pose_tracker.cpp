@@ -13,6 +13,11 @@ namespace {
 
 /// Share of pixels with depth that the first frame of a map needs.
 constexpr double kMinDepthToBegin = 0.05;
+/// The first frame of a map waits for so many frames until the device knows its own pose; then the map begins
+/// without.
+constexpr int kFramesToAwaitDevice = 30;
+/// Share of pixels with depth that a frame needs to be added to the map without the map's consent.
+constexpr double kMinDepthToFollow = 0.02;
 /// Share of inliers above which an uncertain pose is a guess for the next frame.
 constexpr double kWorthTracking = 0.4;
 /// Level of the pyramid that is stored of a seen surface.
@@ -31,8 +36,8 @@ constexpr ViewReach kElsewhere{.angle_rad = 0.5, .distance_m = 0.3};
 }  // namespace
 
 Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute, const FusionParams& params,
-                                                         ModelView view_model) {
-  std::unique_ptr<PoseTracker> tracker(new PoseTracker(compute, params, std::move(view_model)));
+                                                         ModelView view_model, Predictor predictor) {
+  std::unique_ptr<PoseTracker> tracker(new PoseTracker(compute, params, std::move(view_model), predictor));
   SCANTROVE_TRY(moveInto(tracker->aligner_, SurfaceAligner::create(compute, params.depth_noise_m)));
   return tracker;
 }
@@ -46,12 +51,21 @@ PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& dept
 PoseTracker::TrackingAttempt PoseTracker::beginAttempt(const RgbdFrame& frame) {
   TrackingAttempt attempt{.clues = {.frame = frame}};
   if (last_ && !was_firm_) locator_.beginView(attempt.clues);
+  if (last_ && device_ && frame.T_world_camera)
+    attempt.by_device = device_->predict(*frame.T_world_camera, frame.timestamp_s);
+  // A recording that goes on elsewhere tells nothing about the way there.
+  if (is_restored_ && attempt.by_device && attempt.by_device->T_world_jumped) attempt.by_device.reset();
   return attempt;
 }
 
 void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& depth,
                                   const SurfaceMaps& model) {
   if (!last_) return;
+  if (attempt.by_device) {
+    if (viewDistance(model.T_world_camera, attempt.by_device->T_world_camera, kSameView) < 1)
+      registerNearDevice(attempt, depth, model);
+    return;
+  }
   const std::vector<Eigen::Isometry3d> guesses = predict(model);
   const IcpOutcome outcome = aligner_->align(depth, model, guesses);
   attempt.by_surface = judge(outcome, model.T_world_camera, GuessOrigin::prediction);
@@ -67,25 +81,67 @@ void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& 
     attempt.by_landmarks = verify(search, clues.landmarks->T_world_camera, &clues.landmarks->seen);
 }
 
+void PoseTracker::registerNearDevice(TrackingAttempt& attempt, const DepthPyramid& depth,
+                                     const SurfaceMaps& model) {
+  const DeviceMotion::Prediction& device = *attempt.by_device;
+  std::vector<Eigen::Isometry3d> guesses{device.T_world_camera};
+  if (device.T_world_jumped) guesses.push_back(*device.T_world_jumped);
+  const IcpOutcome outcome = aligner_->alignFirmly(depth, model, guesses);
+  attempt.by_surface = judge(outcome, device.T_world_camera,
+                             device.T_world_jumped ? GuessOrigin::prediction : GuessOrigin::device);
+  attempt.is_firm = outcome.step.is_firm;
+  attempt.is_registered = true;
+  if (outcome.pixels > 0) attempt.readings = outcome.system.readings / static_cast<double>(outcome.pixels);
+  if (attempt.by_surface.state == TrackingState::lost) attempt.by_surface.T_world_camera = guesses.front();
+}
+
 PoseEstimate PoseTracker::track(TrackingAttempt attempt, const DepthPyramid& depth,
                                 const SurfaceMaps& model) {
   locator_.beginFrame(depth.K);
   PoseEstimate pose;
   if (!last_) {
-    pose = begin(depth);
+    pose = begin(attempt.clues.frame, depth);
   } else {
-    pose = attempt.by_surface;
     Search search{attempt, depth, model};
-    if (!pose.usable() || !attempt.is_firm) pose = recover(search);
+    pose = attempt.by_device ? trackByDevice(search) : trackByCamera(search);
     if (pose.usable()) pose = withoutDrift(depth, pose);
-    was_firm_ = attempt.is_firm;
     locator_.endFrame(attempt.clues);
   }
-  remember(attempt.clues.frame, pose);
+  remember(attempt, pose);
   return pose;
 }
 
-PoseEstimate PoseTracker::begin(const DepthPyramid& depth) const {
+PoseEstimate PoseTracker::trackByCamera(Search& search) {
+  const TrackingAttempt& attempt = search.attempt;
+  was_firm_ = attempt.is_firm;
+  return attempt.by_surface.usable() && attempt.is_firm ? attempt.by_surface : recover(search);
+}
+
+PoseEstimate PoseTracker::trackByDevice(Search& search) {
+  TrackingAttempt& attempt = search.attempt;
+  const DeviceMotion::Prediction& device = *attempt.by_device;
+  if (!attempt.is_registered) {
+    view_model_(device.T_world_camera, verified_);
+    registerNearDevice(attempt, search.depth, verified_);
+  }
+  PoseEstimate pose = attempt.by_surface;
+  was_firm_ = pose.usable() && device.agrees(pose.T_world_camera, attempt.is_firm);
+  if (!was_firm_) {
+    pose = recover(search);
+    if (pose.usable() && !device.agrees(pose.T_world_camera, true)) pose.state = TrackingState::uncertain;
+    if (!pose.usable() && !device.T_world_jumped && attempt.readings >= kMinDepthToFollow) {
+      pose = attempt.by_surface;
+      pose.state = TrackingState::tracking;
+      pose.T_world_camera = device.T_world_camera;
+      pose.is_by_device = true;
+    }
+  }
+  pose.has_device_jumped = device.T_world_jumped.has_value();
+  return pose;
+}
+
+PoseEstimate PoseTracker::begin(const RgbdFrame& frame, const DepthPyramid& depth) {
+  if (device_ && !frame.T_world_camera && ++frames_without_device_ <= kFramesToAwaitDevice) return {};
   const int pixels = depth.levels.front().K.pixels();
   std::vector<cl_float4> vertices(static_cast<std::size_t>(pixels));
   depth.levels.front().vertices_camera.read(compute_.queue(), std::span(vertices));
@@ -94,6 +150,7 @@ PoseEstimate PoseTracker::begin(const DepthPyramid& depth) const {
   if (static_cast<double>(readings) >= kMinDepthToBegin * pixels) {
     pose.state = TrackingState::tracking;
     pose.inlier_fraction = 1;
+    if (device_ && frame.T_world_camera) pose.T_world_camera = *frame.T_world_camera;
   }
   return pose;
 }
@@ -204,7 +261,8 @@ PoseEstimate PoseTracker::withoutDrift(const DepthPyramid& depth, PoseEstimate p
   return pose;
 }
 
-void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
+void PoseTracker::remember(const TrackingAttempt& attempt, const PoseEstimate& pose) {
+  if (device_ && attempt.clues.frame.T_world_camera) followDevice(attempt, pose);
   before_last_ = pose.usable() && !is_lost_ ? last_ : std::nullopt;
   if (pose.usable()) last_ = pose.T_world_camera;
   is_lost_ = !pose.usable();
@@ -213,8 +271,22 @@ void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
   if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthTracking)
     last_uncertain_ = pose.T_world_camera;
   if (!last_uncertain_) return;
-  uncertain_.push_back({frame, pose.T_world_camera, kChances});
+  uncertain_.push_back({attempt.clues.frame, pose.T_world_camera, kChances});
   if (uncertain_.size() > kMaxUncertain) uncertain_.pop_front();
+}
+
+void PoseTracker::followDevice(const TrackingAttempt& attempt, const PoseEstimate& pose) {
+  const RgbdFrame& frame = attempt.clues.frame;
+  // A lost camera that the device does not follow either is found by relocalisation.
+  if (!pose.usable() && !attempt.by_device) return device_->forget();
+  using enum DeviceMotion::Support;
+  const bool is_confirmed = pose.usable() && !pose.is_by_device;
+  const bool is_firm = !attempt.by_device || attempt.is_firm || attempt.by_landmarks || pose.drift_m;
+  device_->update(*frame.T_world_camera, frame.timestamp_s,
+                  pose.usable() ? pose.T_world_camera : attempt.by_device->T_world_camera,
+                  !is_confirmed ? none
+                  : is_firm     ? firm
+                                : partial);
 }
 
 std::vector<PoseTracker::UncertainFrame> PoseTracker::takeUncertain() {
@@ -260,7 +332,13 @@ bool PoseTracker::replayPose(const Eigen::Isometry3d& T_world_camera) {
 std::optional<PoseTracker::Memory> PoseTracker::memory() {
   const KeyFrames& key_frames = locator_.keyFrames();
   if (!last_) return std::nullopt;
-  return Memory{*last_, before_last_, is_lost_, locator_.newestGray(), key_frames.all(), seen_.all()};
+  return Memory{*last_,
+                before_last_,
+                is_lost_,
+                locator_.newestGray(),
+                key_frames.all(),
+                seen_.all(),
+                device_ ? device_->memory() : std::nullopt};
 }
 
 void PoseTracker::restoreState(Memory memory) {
@@ -268,6 +346,7 @@ void PoseTracker::restoreState(Memory memory) {
   before_last_ = memory.before_last;
   is_lost_ = memory.is_lost;
   is_restored_ = true;
+  if (device_ && memory.device) device_->restore(*memory.device);
   locator_.restoreState(std::move(memory.last_view), std::move(memory.places));
   seen_ = SeenSurfaces(std::move(memory.surfaces));
   seen_again_ = nullptr;
@@ -278,6 +357,7 @@ void PoseTracker::relocalizeNear(const Eigen::Isometry3d& T_world_camera) {
   locator_.forgetLastFrame();
   last_ = T_world_camera;
   is_lost_ = true;
+  forgetDevice();
 }
 
 }  // namespace scantrove

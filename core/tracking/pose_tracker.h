@@ -12,6 +12,7 @@
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/fusion_params.h"
 #include "core/fusion/surface_maps.h"
+#include "core/tracking/device_motion.h"
 #include "core/tracking/key_frames.h"
 #include "core/tracking/landmark_locator.h"
 #include "core/tracking/pose_estimate.h"
@@ -24,16 +25,26 @@ namespace scantrove {
 /// Tracks the pose of the camera. Predicts each pose from the last motion, registers it by ICP against the
 /// map's surface, and judges the result. An untrusted pose is recovered by landmarks of the last frame and of
 /// the tracking key frames (LandmarkLocator), so that a lost camera is found at any place that it has seen.
+///
+/// With a device that tracks itself, its motion is the prediction (DeviceMotion). The map refines it, and
+/// where the map refuses or contradicts it beyond its noise, the pose is the device's.
+///
 /// One thread, the context's; may throw cl::Error. Other threads extract the features of a new key frame and
 /// detect loop closures until addKeyFrame() is called again.
 class PoseTracker {
  public:
   /// Renders the map's surface from a pose.
   using ModelView = std::function<void(const Eigen::Isometry3d& T_world_camera, SurfaceMaps& surface)>;
+  /// What predicts a pose.
+  enum class Predictor {
+    camera,  ///< the camera's motion in the map
+    device   ///< RgbdFrame::T_world_camera, of a device that tracks itself; the map begins in its world
+  };
 
   [[nodiscard]] static Result<std::unique_ptr<PoseTracker>> create(ComputeContext& compute,
                                                                    const FusionParams& params,
-                                                                   ModelView view_model);
+                                                                   ModelView view_model,
+                                                                   Predictor predictor = Predictor::camera);
 
   /// The first part of tracking a frame: its pose by the surface alone and, where landmarks are likely to be
   /// needed, by landmarks.
@@ -42,6 +53,10 @@ class PoseTracker {
     PoseEstimate by_surface = {};
     bool is_firm = false;                           ///< the surface determines the pose well
     std::optional<PoseEstimate> by_landmarks = {};  ///< pose by landmarks, registered against the map
+    std::optional<DeviceMotion::Prediction> by_device = {};
+    bool is_registered =
+        false;            ///< by_surface is known; with a device, track() may have to view the map first
+    double readings = 0;  ///< part of the pixels with depth; known with a device
   };
   /// Begins with the frame after the last one of track() and addKeyFrame().
   [[nodiscard]] TrackingAttempt beginAttempt(const RgbdFrame& frame);
@@ -70,12 +85,17 @@ class PoseTracker {
     GrayView last_view;                            ///< of the last usable frame; empty without colour
     std::deque<KeyFrame> places;
     std::deque<SeenSurfaces::View> surfaces;
+    std::optional<DeviceMotion::Memory> device = {};
   };
   /// None before the first usable frame. It leaves out uncertain frames.
   [[nodiscard]] std::optional<Memory> memory();
   /// Continues from the state of an earlier tracker of the same map. A camera elsewhere is relocalised at
   /// once.
   void restoreState(Memory memory);
+  /// The device's poses are of another recording than those before, so they have another world.
+  void forgetDevice() {
+    if (device_) device_->forget();
+  }
 
   /// Continues on an earlier map, with a guess at the pose. replayPose() and addKeyFrame() restore the
   /// earlier key frames, in the order of their frames.
@@ -104,12 +124,19 @@ class PoseTracker {
     const SurfaceMaps& model;
   };
 
-  PoseTracker(ComputeContext& compute, const FusionParams& params, ModelView view_model)
-      : compute_(compute), params_(params), view_model_(std::move(view_model)), locator_(compute) {}
+  PoseTracker(ComputeContext& compute, const FusionParams& params, ModelView view_model, Predictor predictor)
+      : compute_(compute), params_(params), view_model_(std::move(view_model)), locator_(compute) {
+    if (predictor == Predictor::device) device_.emplace();
+  }
 
-  [[nodiscard]] PoseEstimate begin(const DepthPyramid& depth) const;
+  [[nodiscard]] PoseEstimate begin(const RgbdFrame& frame, const DepthPyramid& depth);
   /// Predicted poses, best first.
   [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
+  [[nodiscard]] PoseEstimate trackByCamera(Search& search);
+  /// The pose by the map, if it agrees with the device's motion, else by that motion.
+  [[nodiscard]] PoseEstimate trackByDevice(Search& search);
+  /// Registers against `model`, the map as seen from the device's prediction.
+  void registerNearDevice(TrackingAttempt& attempt, const DepthPyramid& depth, const SurfaceMaps& model);
   [[nodiscard]] PoseEstimate recover(Search& search);
   void seekLandmarks(Search& search);
   /// Pose by the corners of the last image alone, from the pose by the surface.
@@ -124,7 +151,8 @@ class PoseTracker {
                                     const SeenLandmarks* landmarks);
   /// The pose by what the camera saw at a revisited place, without the drift since.
   [[nodiscard]] PoseEstimate withoutDrift(const DepthPyramid& depth, PoseEstimate pose);
-  void remember(const RgbdFrame& frame, const PoseEstimate& pose);
+  void remember(const TrackingAttempt& attempt, const PoseEstimate& pose);
+  void followDevice(const TrackingAttempt& attempt, const PoseEstimate& pose);
 
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                    GuessOrigin origin) const;
@@ -141,6 +169,8 @@ class PoseTracker {
   bool is_lost_ = false;                             // the frame before was not usable
   bool was_firm_ = true;                             // the surface determined its pose well
   bool is_restored_ = false;                         // the next frame is the first after restoreState()
+  std::optional<DeviceMotion> device_;               // none: the camera's own motion is the prediction
+  int frames_without_device_ = 0;                    // before the first frame of the map
 
   SeenSurfaces seen_;
   const SeenSurfaces::View* seen_again_ = nullptr;  // the view rendered in seen_surface_

@@ -15,10 +15,6 @@ constexpr std::array<int, 3> kPasses{6, 8, 14};
 constexpr std::array<float, 3> kDistance_m{0.05F, 0.07F, 0.10F};  // IcpGates::distance_m
 // A level has converged when a step is smaller than this, in radians and metres.
 constexpr std::array<double, 3> kSmallStep{1e-4, 2e-4, 4e-4};
-// Weighted mean squared cosine between the normals and a direction of motion, below which the direction is
-// free. Rooms have 0.01 and more. On a desk seen from afar the pose began to drift at 0.003. On one plane the
-// noise of the model's normals remains (0.0012 at 2 degrees).
-constexpr double kSmallestEigenvalue = 0.004;
 // Readings that change their partner with every pass make the pose oscillate. When a step does not shrink to
 // this part of the one before, all further steps are halved, and so again.
 constexpr double kShrinking = 0.7;
@@ -62,24 +58,25 @@ Result<std::unique_ptr<SurfaceAligner>> SurfaceAligner::create(ComputeContext& c
   return std::unique_ptr<SurfaceAligner>(new SurfaceAligner(std::move(*pass), depth_noise_m));
 }
 
-IcpOutcome SurfaceAligner::align(const DepthPyramid& frame, const SurfaceMaps& model,
-                                 std::span<const Eigen::Isometry3d> guesses, const SeenLandmarks* landmarks) {
+IcpOutcome SurfaceAligner::alignWith(const Terms& terms, const DepthPyramid& frame, const SurfaceMaps& model,
+                                     std::span<const Eigen::Isometry3d> guesses) {
   SCANTROVE_CHECK(!guesses.empty());
   const std::size_t coarsest = coarsestOf(frame);
   const auto gate = static_cast<double>(kDistance_m[coarsest]);
-  IcpOutcome best = descend(frame, model, guesses.front(), coarsest, landmarks);
+  IcpOutcome best = descend(frame, model, guesses.front(), coarsest, terms);
   // If the surface fits but leaves directions free, all guesses fit alike, and the first is kept.
   const bool is_silent = best.step.free_directions > 0 && 2 * best.system.inliers > best.system.overlap;
   for (std::size_t i = 1; i < guesses.size() && !is_silent; ++i) {
     const auto is_tried = [&](const Eigen::Isometry3d& tried) { return isSameGuess(tried, guesses[i]); };
     if (std::ranges::any_of(guesses.first(i), is_tried)) continue;
-    IcpOutcome outcome = descend(frame, model, guesses[i], coarsest, landmarks);
+    IcpOutcome outcome = descend(frame, model, guesses[i], coarsest, terms);
     if (costOf(outcome.system, gate) < costOf(best.system, gate)) best = std::move(outcome);
   }
-  return refine(frame, model, std::move(best), coarsest, landmarks);
+  return refine(frame, model, std::move(best), coarsest, terms);
 }
 
 IcpOutcome SurfaceAligner::alignTurned(const DepthPyramid& frame, const SurfaceMaps& model) {
+  constexpr Terms kTerms{nullptr, kSmallestEigenvalue};
   const std::size_t coarsest = coarsestOf(frame);
   const auto gate = static_cast<double>(kDistance_m[coarsest]);
   IcpOutcome best;
@@ -87,19 +84,18 @@ IcpOutcome SurfaceAligner::alignTurned(const DepthPyramid& frame, const SurfaceM
   for (int axis = 0; axis < 3; ++axis) {
     for (const double angle_rad : {-kSearch_rad, kSearch_rad}) {
       const Eigen::Isometry3d turn(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::Unit(axis)));
-      IcpOutcome outcome = descend(frame, model, model.T_world_camera * turn, coarsest);
+      IcpOutcome outcome = descend(frame, model, model.T_world_camera * turn, coarsest, kTerms);
       const double cost = costOf(outcome.system, gate);
       if (cost >= best_cost) continue;
       best_cost = cost;
       best = std::move(outcome);
     }
   }
-  return refine(frame, model, std::move(best), coarsest);
+  return refine(frame, model, std::move(best), coarsest, kTerms);
 }
 
 IcpOutcome SurfaceAligner::descend(const DepthPyramid& frame, const SurfaceMaps& model,
-                                   const Eigen::Isometry3d& guess, std::size_t level,
-                                   const SeenLandmarks* landmarks) {
+                                   const Eigen::Isometry3d& guess, std::size_t level, const Terms& terms) {
   IcpOutcome outcome{
       .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
   const IcpGates gates = IcpGates::of(kDistance_m[level], depth_noise_m_);
@@ -108,9 +104,10 @@ IcpOutcome SurfaceAligner::descend(const DepthPyramid& frame, const SurfaceMaps&
   for (int i = 0; i < kPasses[level]; ++i) {
     outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
     LandmarkTerm term;
-    if (landmarks != nullptr)
-      term = LandmarkTerm::of(*landmarks, outcome.T_world_camera, outcome.system.center);
-    outcome.step = solveIcp(outcome.system, kSmallestEigenvalue, landmarks != nullptr ? &term : nullptr);
+    if (terms.landmarks != nullptr)
+      term = LandmarkTerm::of(*terms.landmarks, outcome.T_world_camera, outcome.system.center);
+    outcome.step =
+        solveIcp(outcome.system, terms.smallest_eigenvalue, terms.landmarks != nullptr ? &term : nullptr);
     if (!outcome.step.finite) break;
     const double step = std::max(outcome.step.rotation_rad, outcome.step.translation_m);
     if (step > kShrinking * last_step) share = std::max(share / 2, kSmallestShare);
@@ -123,13 +120,14 @@ IcpOutcome SurfaceAligner::descend(const DepthPyramid& frame, const SurfaceMaps&
 }
 
 IcpOutcome SurfaceAligner::refine(const DepthPyramid& frame, const SurfaceMaps& model, IcpOutcome coarse,
-                                  std::size_t coarsest, const SeenLandmarks* landmarks) {
+                                  std::size_t coarsest, const Terms& terms) {
   IcpOutcome outcome = std::move(coarse);
   for (std::size_t level = coarsest; level > 0; --level) {
-    outcome = descend(frame, model, outcome.T_world_camera, level - 1, landmarks);
+    outcome = descend(frame, model, outcome.T_world_camera, level - 1, terms);
   }
   outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
-  if (landmarks != nullptr) outcome.landmark_error_px = landmarks->errorPx(outcome.T_world_camera);
+  if (terms.landmarks != nullptr)
+    outcome.landmark_error_px = terms.landmarks->errorPx(outcome.T_world_camera);
   return outcome;
 }
 
