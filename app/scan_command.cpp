@@ -32,8 +32,9 @@ void printSummary(const ScanReport& report, const std::string& out) {
   std::size_t known = 0;
   for (const CollectedObject& object : report.objects) known += object.recognized_from.empty() ? 0U : 1U;
   std::cout << std::fixed << std::setprecision(1);
-  std::cout << "frames   " << frames.read << " read, " << frames.tracked << " tracked, " << frames.lost
-            << " lost";
+  std::cout << "frames   " << frames.read << " read, " << frames.tracked << " tracked";
+  if (frames.by_device > 0) std::cout << " (" << frames.by_device << " by the device's poses alone)";
+  std::cout << ", " << frames.lost << " lost";
   if (frames.skipped > 0) std::cout << ", " << frames.skipped << " unreadable";
   if (frames.dropped > 0) std::cout << ", " << frames.dropped << " dropped";
   std::cout << "\nspeed    " << report.fps << " fps (frame " << report.frame_median_ms << " ms median, "

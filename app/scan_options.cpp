@@ -53,9 +53,15 @@ void ScanOptions::addSourceTo(CLI::App& command) {
 
 void ScanOptions::addTo(CLI::App& command) {
   addSourceTo(command);
-  command.add_option("--poses", poses, "'tracked' by the camera tracker, or 'given' by the recording")
-      ->check(CLI::IsMember({"tracked", "given"}))
-      ->type_name("tracked|given");
+  command
+      .add_option(
+          "--poses", poses,
+          "'auto': a device's own poses (not a benchmark's truth) are the prediction, the map refines\n"
+          "them, and where tracking is lost they continue; other recordings are tracked. 'tracked': by\n"
+          "the camera tracker alone. 'given': by the recording (default: auto; with --resume, as the\n"
+          "session was scanned)")
+      ->check(CLI::IsMember({"auto", "tracked", "given"}))
+      ->type_name("auto|tracked|given");
   command.add_option("--config", config, "parameters from a TOML file")->type_name("FILE");
   command.add_option("--set", settings, "one parameter; 'scantrove params' lists them")
       ->expected(1)
@@ -86,7 +92,7 @@ ScanRequest ScanOptions::toRequest() const {
   ScanRequest request;
   request.source = source;
   request.source_options = toSourceOptions();
-  request.poses = poses == "given" ? ScanRequest::Poses::given : ScanRequest::Poses::tracked;
+  request.poses = posesFrom(poses).value_or(ScanRequest::Poses::automatic);
   request.params = paramsFrom(config, settings);
   request.device = device;
   return request;

@@ -13,7 +13,7 @@ struct ScanOptions {
   int frames = 0;  ///< 0 = all
   int start = 0;
   int stride = 1;
-  std::string poses = "tracked";
+  std::string poses = "auto";
   std::string intrinsics;          ///< "fx,fy,cx,cy", or empty
   std::string color_registration;  ///< format of parseColorRegistration(); empty = from the source
   double depth_scale = 0;          ///< units per metre; 0 = from the source
@@ -35,8 +35,8 @@ inline constexpr const char* kSourceHelp =
     "a folder, an .oni file, 'camera', 'camera:URI', 'freenect' (Kinect v1), 'demo', 'demo:room',\n"
     "'demo:wall', 'demo:corridor', or a random scene: 'demo:room:SEED' (also tabletop, sweep, moving,\n"
     "hands). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no noise),\n"
-    "':phone' (a telephone's camera) or, tabletop and room, with ':hard' (a camera that fails as real ones "
-    "do)";
+    "':phone' (a telephone's camera), ':device' (poses of a phone that tracks itself) or, tabletop and room,\n"
+    "with ':hard' (a camera that fails as real ones do)";
 
 /// The parameters after `config` (none when empty), then `settings`. Throws CLI::ValidationError.
 [[nodiscard]] ScanParams paramsFrom(const std::string& config, const std::vector<std::string>& settings);

@@ -1,7 +1,10 @@
 #include "core/capture/local_poses.h"
 
+#include <spdlog/spdlog.h>
+
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace scantrove {
 namespace {
@@ -65,6 +68,13 @@ FrameRead LocalPoses::moved(FrameRead read) {
   Eigen::Isometry3d& T_world_camera = *read.frame.T_world_camera;
   const Eigen::Vector3d place = T_world_camera.translation();
   if (const std::string refusal = refusalOf(place); !refusal.empty()) {
+    if (implausible_ == Implausible::without_pose) {
+      read.frame.T_world_camera.reset();
+      if (!std::exchange(has_reported_, true))
+        spdlog::warn("The pose of frame {} {} and is not used, nor are others like it.", read.frame.index,
+                     refusal);
+      return read;
+    }
     read.status = FrameRead::Status::skipped;
     read.error = {
         "The pose of frame " + std::to_string(read.frame.index) + " " + refusal + ": the frame is left out.",

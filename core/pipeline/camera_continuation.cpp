@@ -30,6 +30,10 @@ bool CameraContinuation::restoreState(CameraMemory memory) {
   return true;
 }
 
+void CameraContinuation::forgetDevice() {
+  if (PoseTracker* tracker = tracking_.tracker()) tracker->forgetDevice();
+}
+
 bool CameraContinuation::replayPose(const Eigen::Isometry3d& T_world_camera) {
   PoseTracker* tracker = tracking_.tracker();
   return tracker != nullptr && tracker->replayPose(T_world_camera);

@@ -20,6 +20,8 @@ class CameraContinuation {
 
   /// The camera state for a scan that continues this map. None before the first usable frame.
   [[nodiscard]] std::optional<CameraMemory> memory();
+  /// The next frames are of another recording, so its device's poses are in another world.
+  void forgetDevice();
   /// Restores the state after the map's last frame. False: the memory is incomplete.
   [[nodiscard]] bool restoreState(CameraMemory memory);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "core/base/byte_stream.h"
@@ -10,7 +11,8 @@
 namespace scantrove {
 namespace {
 
-constexpr std::uint32_t kVersion = 2;
+/// Without and with the motion of a device that tracks itself.
+constexpr std::uint32_t kVersion = 2, kVersionWithDevice = 3;
 /// Side length in pixels that no camera's image reaches.
 constexpr int kLargestSide = 1 << 16;
 constexpr int kDescriptorBytes = 32;  ///< of a landmark: 256 bits
@@ -145,6 +147,47 @@ PoseTracker::Memory getTracker(ByteReader& from) {
   return tracker;
 }
 
+void put(ByteWriter& to, const DeviceMotion::Motion& motion) {
+  put(to, motion.motion);
+  to.put(motion.duration_s);
+}
+
+void put(ByteWriter& to, const DeviceMotion::Memory& device) {
+  put(to, device.T_device_camera);
+  to.put(device.time_s);
+  put(to, device.T_world_device);
+  put(to, device.motion);
+  put(to, device.jump);
+  to.put(device.drift.angle_rad);
+  to.put(device.drift.distance_m);
+}
+
+/// From `smallest` on; otherwise the reader fails.
+double getNumber(ByteReader& from, double smallest) {
+  const auto value = from.get<double>();
+  if (!std::isfinite(value) || value < smallest) from.refuse();
+  return value;
+}
+
+DeviceMotion::Motion getMotion(ByteReader& from) {
+  DeviceMotion::Motion motion;
+  motion.motion = getPose(from);
+  motion.duration_s = getNumber(from, 0);
+  return motion;
+}
+
+DeviceMotion::Memory getDevice(ByteReader& from) {
+  DeviceMotion::Memory device;
+  device.T_device_camera = getPose(from);
+  device.time_s = getNumber(from, std::numeric_limits<double>::lowest());
+  device.T_world_device = getPose(from);
+  device.motion = getMotion(from);
+  device.jump = getMotion(from);
+  device.drift.angle_rad = getNumber(from, 0);
+  device.drift.distance_m = getNumber(from, 0);
+  return device;
+}
+
 void put(ByteWriter& to, const FreeSpace::Memory& free_space) {
   to.put(free_space.views);
   to.put(static_cast<std::uint64_t>(free_space.witnesses.size()));
@@ -198,8 +241,9 @@ std::vector<Eigen::Vector4f> getVectors(ByteReader& from) {
 }  // namespace
 
 std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
+  const bool has_device = memory.tracker && memory.tracker->device;
   ByteWriter to;
-  to.put(kVersion);
+  to.put(has_device ? kVersionWithDevice : kVersion);
   put(to, memory.tracker.has_value());
   if (memory.tracker) put(to, *memory.tracker);
   put(to, memory.free_space);
@@ -210,12 +254,14 @@ std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
   for (const auto* maps :
        {&memory.view.vertices_world, &memory.view.normals_world, &memory.reference_normals_world})
     put(to, *maps);
+  if (has_device) put(to, *memory.tracker->device);
   return to.take();
 }
 
 std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> words) {
   ByteReader from(words);
-  if (from.get<std::uint32_t>() != kVersion) return std::nullopt;
+  const auto version = from.get<std::uint32_t>();
+  if (version != kVersion && version != kVersionWithDevice) return std::nullopt;
   CameraMemory memory;
   if (getFlag(from)) memory.tracker = getTracker(from);
   memory.free_space = getFreeSpace(from);
@@ -226,6 +272,10 @@ std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> word
   for (auto* maps :
        {&memory.view.vertices_world, &memory.view.normals_world, &memory.reference_normals_world})
     *maps = getVectors(from);
+  if (version == kVersionWithDevice) {
+    if (!memory.tracker) return std::nullopt;
+    memory.tracker->device = getDevice(from);
+  }
   const auto pixels =
       static_cast<std::size_t>(memory.view.K.width) * static_cast<std::size_t>(memory.view.K.height);
   const bool is_complete = from.isAtEnd() && memory.view.vertices_world.size() == pixels &&

@@ -21,12 +21,15 @@ Result<std::unique_ptr<FrameTracking>> FrameTracking::create(ComputeContext& com
   std::unique_ptr<FrameTracking> tracking(new FrameTracking(compute, timer, setup));
   SCANTROVE_TRY(moveInto(tracking->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params)));
   tracking->K_ = tracking->intrinsicsOf(std::nullopt);
-  if (setup.poses_given) return tracking;
+  if (setup.poses == PoseUse::given) return tracking;
   const auto view_map = [&map, &self = *tracking](const Eigen::Isometry3d& T_world_camera,
                                                   SurfaceMaps& surface) {
     map.raycast(T_world_camera, self.K_, surface);
   };
-  SCANTROVE_TRY(moveInto(tracking->tracker_, PoseTracker::create(compute, setup.params, view_map)));
+  using enum PoseTracker::Predictor;
+  SCANTROVE_TRY(
+      moveInto(tracking->tracker_, PoseTracker::create(compute, setup.params, view_map,
+                                                       setup.poses == PoseUse::predicted ? device : camera)));
   return tracking;
 }
 

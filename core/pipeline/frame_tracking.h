@@ -17,6 +17,13 @@
 
 namespace scantrove {
 
+/// How the poses of a recording are used.
+enum class PoseUse {
+  none,       ///< the camera is tracked
+  predicted,  ///< they are of a device that tracks itself, and the map refines them
+  given       ///< they are the poses
+};
+
 /// The pose of each frame: prepares its depth, and tracks the camera or takes the recording's poses. One
 /// thread, the context's; may throw cl::Error. (Another thread prepares the next frame.)
 class FrameTracking {
@@ -24,7 +31,7 @@ class FrameTracking {
   struct Setup {
     Intrinsics K;  ///< of the recording
     FusionParams params;
-    bool poses_given = false;  ///< take RgbdFrame::T_world_camera
+    PoseUse poses = PoseUse::none;  ///< of RgbdFrame::T_world_camera
   };
   /// All outlive this. `map`: the camera is registered to it.
   [[nodiscard]] static Result<std::unique_ptr<FrameTracking>> create(ComputeContext& compute, DenseMap& map,

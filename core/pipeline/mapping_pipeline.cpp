@@ -22,7 +22,7 @@ Result<std::unique_ptr<MappingPipeline>> MappingPipeline::create(ComputeContext&
   SCANTROVE_TRY(moveInto(pipeline->fusion_, MapFusion::create(compute, pipeline->timer_, params.fusion)));
   SCANTROVE_TRY(
       moveInto(pipeline->tracking_, FrameTracking::create(compute, pipeline->fusion_->map(), pipeline->timer_,
-                                                          {setup.K, params.fusion, setup.poses_given})));
+                                                          {setup.K, params.fusion, setup.poses})));
   SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
   SCANTROVE_TRY(
       moveInto(pipeline->labels_, MapLabels::create(compute, pipeline->fusion_->bricks(),

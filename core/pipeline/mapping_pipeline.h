@@ -30,7 +30,7 @@ class MappingPipeline {
   struct Setup {
     Intrinsics K;  ///< of the recording
     MappingParams params;
-    bool poses_given = false;             ///< take RgbdFrame::T_world_camera instead of tracking
+    PoseUse poses = PoseUse::none;        ///< of RgbdFrame::T_world_camera
     std::optional<int> frame_count = {};  ///< of the recording; empty for a live camera
   };
 

@@ -27,6 +27,14 @@ double shareBeyond(const RgbdFrame& frame, double depth_m) {
   return static_cast<double>(cv::countNonZero(beyond)) / static_cast<double>(frame.depth.total());
 }
 
+std::optional<Error> adviceOnDevice(const FrameCounts& frames) {
+  if (frames.by_device <= frames.tracked / 2) return std::nullopt;
+  return Error{"Of " + std::to_string(frames.tracked) + " frames in the map " +
+                   std::to_string(frames.by_device) +
+                   " follow the device's own poses alone, because its depth did not confirm them.",
+               "Look whether surfaces are double. If so, scan more slowly, or try --poses tracked."};
+}
+
 }  // namespace
 
 std::optional<Error> ScanAdvisor::addFrame(const RgbdFrame& frame, bool is_usable) {
@@ -61,7 +69,8 @@ Error ScanAdvisor::restart(int frame_index) {
 
 std::optional<Error> ScanAdvisor::adviceOn(const FrameCounts& frames) {
   const int without = frames.lost + frames.skipped;
-  if (frames.tracked == 0 || without <= frames.tracked) return std::nullopt;
+  if (frames.tracked == 0) return std::nullopt;
+  if (without <= frames.tracked) return adviceOnDevice(frames);
   return Error{
       "Of " + std::to_string(frames.done()) + " frames only " + std::to_string(frames.tracked) +
           " are in the map: the camera was lost in " + std::to_string(frames.lost) +

@@ -31,7 +31,7 @@ class ScanAdvisor {
   }
   /// A new map begins; returns the message for that.
   [[nodiscard]] Error restart(int frame_index);
-  /// At the end of a scan: advice if most frames have no pose.
+  /// At the end of a scan: advice if most frames have no pose, or one that the map does not confirm.
   [[nodiscard]] static std::optional<Error> adviceOn(const FrameCounts& frames);
 
  private:

@@ -54,7 +54,7 @@ Result<void> ScanOpener::openAll() {
                                                                  }})));
   SCANTROVE_TRY(openOutput());
   SCANTROVE_TRY(openSession(info));
-  if (parts_.takesGivenPoses() && !request.refine_session) takePoses();
+  if (parts_.poseUse() != PoseUse::none && !request.refine_session) takePoses();
   return openMap();
 }
 
@@ -145,7 +145,8 @@ Result<void> ScanOpener::beginSession(const SourceInfo& info) {
   SCANTROVE_TRY(moveInto(session_, SessionWriter::start(*request.output_folder, SessionWriter::Way::create)));
   SessionRecorder::Setup setup{.all_frames = request.record_all};
   setup.metadata = metadataOf({request.source, info.intrinsics, request.params,
-                               storedDatabaseName(request.database, *request.output_folder)});
+                               storedDatabaseName(request.database, *request.output_folder),
+                               Eigen::Vector3d::Zero(), std::string(toString(request.poses))});
   setup.metadata.merge(refinementMetadata(false));
   // Files of an earlier scan that this one does not replace still belong to this program.
   const bool writes_labels = parts_.output && request.label_maps;
@@ -170,6 +171,7 @@ Result<void> ScanOpener::readSession(const SourceInfo& info) {
   if (setup->K != info.intrinsics) own_intrinsics_ = info.intrinsics;
   request.params.fusion = setup->params.fusion;
   parts_.setOrigin(setup->origin_m);
+  continuePoseUse(setup->poses, info);
   if (!request.database.empty()) return {};
   std::filesystem::path file = databaseFileOf(*setup, *request.output_folder);
   std::error_code ignored;
@@ -177,6 +179,13 @@ Result<void> ScanOpener::readSession(const SourceInfo& info) {
   if (!std::filesystem::exists(file, ignored)) file = *request.output_folder / "catalogue.sqlite";
   request.database = file.string();
   return {};
+}
+
+void ScanOpener::continuePoseUse(const std::string& earlier, const SourceInfo& info) {
+  ScanRequest& request = parts_.request;
+  if (request.poses != ScanRequest::Poses::automatic) return;
+  const ScanRequest::Poses poses = posesFrom(earlier).value_or(request.poses);
+  if (poses != ScanRequest::Poses::given || info.has_poses) request.poses = poses;
 }
 
 Result<void> ScanOpener::loadEarlier() {
@@ -203,7 +212,9 @@ void ScanOpener::reportDamages(const std::vector<std::string>& damages) const {
 void ScanOpener::takePoses() {
   std::optional<Eigen::Vector3d> origin;
   if (earlier_) origin = parts_.origin_world;
-  auto local = std::make_unique<LocalPoses>(std::move(parts_.source), origin);
+  using enum LocalPoses::Implausible;
+  auto local = std::make_unique<LocalPoses>(std::move(parts_.source), origin,
+                                            parts_.takesGivenPoses() ? skipped : without_pose);
   parts_.local_poses = local.get();
   parts_.source = std::move(local);
 }
@@ -221,6 +232,13 @@ Result<void> ScanOpener::openMap() {
   return earlier_ ? restoreSession(**database) : Result<void>();
 }
 
+bool ScanOpener::isSameRecording() const {
+  if (earlier_->recordings.empty()) return false;
+  const std::filesystem::path last = earlier_->recordings.back().source, now = parts_.request.source;
+  std::error_code ignored;
+  return last == now || std::filesystem::equivalent(last, now, ignored);
+}
+
 bool ScanOpener::isOfAnotherCatalogue(const std::string& catalogue) const {
   const auto own = earlier_->metadata.find(kCatalogueKey);
   return own != earlier_->metadata.end() && !own->second.empty() && own->second != catalogue;
@@ -236,6 +254,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
   std::vector<std::string> damages;
   const bool for_camera = !request.refine_session;
   SCANTROVE_TRY(restoreScan(*parts_.pipeline, *session_, *earlier_, for_camera, damages));
+  if (!isSameRecording()) parts_.pipeline->camera().forgetDevice();
   parts_.objects->restore(*earlier_);
   reportDamages(damages);
   parts_.recorder =
@@ -247,6 +266,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
     for (const RegionId region : parts_.refinement.known) table.setKnown(region, true);
   } else {
     recorder.setMetadata("ended", "");  // not ended this time
+    recorder.setMetadata(kPosesKey, std::string(toString(request.poses)));
     for (const auto& [name, value] : refinementMetadata(false)) recorder.setMetadata(name, value);
     continueNumbers(earlier_->frames);
     if (parts_.output) SCANTROVE_TRY(recorder.keepMetadata(kResultsKey, kResultsBegun));

@@ -42,8 +42,12 @@ class ScanOpener {
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
   /// Restores the session. Edits of the catalogue that were interrupted are completed first.
   [[nodiscard]] Result<void> loadEarlier();
+  /// With `resume`, poses are used as in the earlier scan, unless the request says how.
+  void continuePoseUse(const std::string& earlier, const SourceInfo& info);
   /// Uses the recording's poses, relative to the start of this or the earlier scan.
   void takePoses();
+  /// The source is the last recording of the earlier scan.
+  [[nodiscard]] bool isSameRecording() const;
   [[nodiscard]] Result<void> openMap();
   /// The earlier scan's object ids belong to another catalogue.
   [[nodiscard]] bool isOfAnotherCatalogue(const std::string& catalogue) const;

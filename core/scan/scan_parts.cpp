@@ -4,6 +4,14 @@
 
 namespace scantrove {
 
+PoseUse ScanParts::poseUse() const {
+  if (takesGivenPoses()) return PoseUse::given;
+  const SourceInfo& info = source->info();
+  const bool are_by_device = info.has_poses && info.pose_origin == PoseOrigin::device;
+  const bool are_used = request.poses == ScanRequest::Poses::automatic && are_by_device;
+  return are_used ? PoseUse::predicted : PoseUse::none;
+}
+
 void ScanParts::setOrigin(const Eigen::Vector3d& origin) {
   origin_world = origin;
   if (output) output->setOrigin(origin);
@@ -13,8 +21,8 @@ Result<void> ScanParts::makeMap(ObjectDatabase& database,
                                 const std::function<void(MappingPipeline&)>& give_up) {
   const SourceInfo& info = source->info();
   std::unique_ptr<MappingPipeline> map;
-  SCANTROVE_TRY(moveInto(map, MappingPipeline::create(*compute, {info.intrinsics, request.params,
-                                                                 takesGivenPoses(), info.frame_count})));
+  SCANTROVE_TRY(moveInto(map, MappingPipeline::create(
+                                  *compute, {info.intrinsics, request.params, poseUse(), info.frame_count})));
   CatalogueWriter::Options catalogue;
   catalogue.database = request.database;
   catalogue.source = info.name;

@@ -36,6 +36,8 @@ struct ScanParts {
   FrameCounts earlier_frames;                 ///< of a session that is only refined
   bool keeps_earlier_scan = false;            ///< in the folder, until this scan has a usable frame
 
+  /// The use of the recording's poses by `request`.
+  [[nodiscard]] PoseUse poseUse() const;
   [[nodiscard]] bool takesGivenPoses() const { return request.poses == ScanRequest::Poses::given; }
   void setOrigin(const Eigen::Vector3d& origin);
   /// Replaces the map, if any, and the collector by new ones. Error: the catalogue cannot be read, or the

@@ -19,6 +19,8 @@ struct MapDrift {
   /// Relocalisations of such a place by landmarks, and the greatest distance found.
   int revisited_key_frames = 0;
   double most_m = 0;
+  /// Frames in which the pose of a device that tracks itself jumped and was not believed.
+  int device_jumps = 0;
 };
 
 /// The results of a scan. It has more than twenty fields, one for each entry of report.json.

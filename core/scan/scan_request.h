@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/capture/frame_source.h"
 #include "core/session/scan_params.h"
@@ -11,11 +12,16 @@ namespace scantrove {
 
 /// The parameters of a scan.
 struct ScanRequest {
-  enum class Poses { tracked, given };
+  enum class Poses {
+    automatic,  ///< a device's own poses are the prediction; a recording with other poses, or none, is
+                ///< tracked
+    tracked,    ///< by the camera alone
+    given       ///< the recording's
+  };
   /// As for openSource. Empty: no scan; the session in `output_folder` is opened for review.
   std::string source;
   SourceOptions source_options;
-  Poses poses = Poses::tracked;
+  Poses poses = Poses::automatic;  ///< with `resume`, automatic continues as the session was scanned
   ScanParams params;
   std::string device;    ///< as for chooseDevice
   std::string database;  ///< catalogue to search and extend; empty with `resume`: the session's
@@ -41,5 +47,26 @@ struct ScanRequest {
   /// How long the end of the scan waits for a catalogue that cannot be written.
   std::chrono::milliseconds catalogue_patience{20000};
 };
+
+/// Names on the command line and in sessions.
+[[nodiscard]] constexpr std::string_view toString(ScanRequest::Poses poses) {
+  switch (poses) {
+    case ScanRequest::Poses::automatic:
+      return "auto";
+    case ScanRequest::Poses::tracked:
+      return "tracked";
+    case ScanRequest::Poses::given:
+      return "given";
+  }
+  return "";
+}
+/// None: not such a name.
+[[nodiscard]] constexpr std::optional<ScanRequest::Poses> posesFrom(std::string_view name) {
+  using enum ScanRequest::Poses;
+  for (const ScanRequest::Poses poses : {automatic, tracked, given}) {
+    if (toString(poses) == name) return poses;
+  }
+  return std::nullopt;
+}
 
 }  // namespace scantrove

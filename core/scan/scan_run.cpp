@@ -101,7 +101,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
 Result<void> ScanRun::skip(const FrameRead& read) {
   tally_->addSkipped();
   listener_(FrameSkipped{read.frame.index, read.error});
-  if (parts_.local_poses == nullptr) return {};
+  if (!parts_.takesGivenPoses()) return {};
   advisor_->addRefused();
   return restartIfMisled(read.frame.index);
 }
@@ -119,7 +119,8 @@ Result<void> ScanRun::restartIfMisled(int frame_index) {
   tally_->restart();
   if (parts_.recorder) parts_.recorder->restart();
   if (parts_.output) parts_.output->restart();
-  if (parts_.local_poses != nullptr) parts_.local_poses->forget();
+  // Where poses are predictions, a frame that was read ahead keeps the origin.
+  if (parts_.takesGivenPoses() && parts_.local_poses != nullptr) parts_.local_poses->forget();
   advise(advisor_->restart(frame_index));
   return {};
 }

@@ -25,6 +25,7 @@ Error hasDrifted(double drift_m, int frame_index) {
 
 std::optional<Error> ScanTally::addFrame(const FrameResult& result, int frame_index) {
   ++frames_.read;
+  if (result.pose.has_device_jumped) ++drift_.device_jumps;
   for (const LateFrame& late : result.late) {
     --frames_.lost;
     ++frames_.tracked;
@@ -39,6 +40,7 @@ std::optional<Error> ScanTally::addFrame(const FrameResult& result, int frame_in
   ++frames_.tracked;
   if (first_usable_.size() < SessionRecorder::kFirstFrames) first_usable_.push_back(frame_index);
   if (result.pose.state == TrackingState::relocalized) ++frames_.relocalized;
+  if (result.pose.is_by_device) ++frames_.by_device;
   return measureDrift(result, frame_index);
 }
 
@@ -58,7 +60,7 @@ std::optional<Error> ScanTally::measureDrift(const FrameResult& result, int fram
 
 void ScanTally::restart() {
   frames_.lost += std::exchange(frames_.tracked, 0);
-  frames_.relocalized = 0;
+  frames_.relocalized = frames_.by_device = 0;
   drift_ = {};
   const std::vector<int> dropped = std::exchange(first_usable_, {});
   lost_frames_.insert(lost_frames_.end(), dropped.begin(), dropped.end());

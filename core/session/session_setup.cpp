@@ -46,7 +46,8 @@ SessionMetadata metadataOf(const SessionSetup& setup) {
           {"camera", nlohmann::json{{"K", {K.fx, K.fy, K.cx, K.cy}}, {"size", {K.width, K.height}}}.dump()},
           {"params", params},
           {"database", setup.database},
-          {kOriginKey, originToText(setup.origin_m)}};
+          {kOriginKey, originToText(setup.origin_m)},
+          {kPosesKey, setup.poses}};
 }
 
 Result<SessionSetup> setupFrom(const SessionMetadata& metadata) {
@@ -57,6 +58,7 @@ Result<SessionSetup> setupFrom(const SessionMetadata& metadata) {
   SessionSetup setup;
   setup.source = valueOf("source");
   setup.database = valueOf("database");
+  setup.poses = valueOf(kPosesKey);
   try {
     const nlohmann::json camera = nlohmann::json::parse(valueOf("camera"));
     const nlohmann::json& K = camera.at("K");

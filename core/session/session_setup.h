@@ -17,6 +17,7 @@ struct SessionSetup {
   std::string database;  ///< relative to the session's folder if inside it
   /// Positions and poses of the session are relative to this point of the recording's world: whole metres.
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
+  std::string poses = {};  ///< "auto", "tracked" or "given"; empty: of an older version
 };
 
 /// The stored name of the catalogue for a session in `folder`: relative to the folder if inside it, else
@@ -30,6 +31,8 @@ struct SessionSetup {
 /// The metadata key for SessionSetup::origin_m.
 inline constexpr const char* kOriginKey = "origin_m";
 [[nodiscard]] std::string originToText(const Eigen::Vector3d& origin_m);
+/// The metadata key for SessionSetup::poses.
+inline constexpr const char* kPosesKey = "poses";
 /// The metadata key that tells whether the files beside the session (cloud, label map and images) show its
 /// current regions. Missing: no such files, or unknown. It is set before the first file is written.
 inline constexpr const char *kResultsKey = "results", *kResultsBegun = "begun", *kResultsCurrent = "current",

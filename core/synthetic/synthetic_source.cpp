@@ -64,6 +64,10 @@ class RenderedSource final : public SyntheticSource {
       : options_(options),
         recipe_(std::move(recipe)),
         trajectory_(recipe_.path, options.tremor && recipe_.is_hand_held, options.seed) {
+    if (options.device) {
+      device_.emplace(*options.device, options.seed, [this](int index) { return pose(index); });
+      info_.pose_origin = PoseOrigin::device;
+    }
     info_.name = recipe_.name;
     info_.kind = "synthetic";
     info_.intrinsics = options.K;
@@ -87,7 +91,8 @@ class RenderedSource final : public SyntheticSource {
     if (given_ == *info_.frame_count) {
       return read;
     }
-    const int index = options_.start + given_++ * options_.stride;
+    const int number_of_frame = given_++;
+    const int index = options_.start + number_of_frame * options_.stride;
     const bool has_color = options_.color && options_.phone.hasColor(index);
     if (has_color && !lighting_) {
       lighting_ = std::make_unique<synthetic::Lighting>(recipe_.scene, recipe_.lit_center,
@@ -96,20 +101,22 @@ class RenderedSource final : public SyntheticSource {
     moveTo(index / kFramesPerSecond);
     RgbdFrame& frame = read.frame;
     frame.index = index;
-    frame.timestamp_s = index / kFramesPerSecond;
+    frame.timestamp_s =
+        options_.frames_per_second ? number_of_frame / *options_.frames_per_second : index / kFramesPerSecond;
     frame.meters_per_unit = options_.meters_per_unit;
-    frame.T_world_camera = pose(index);
+    const Eigen::Isometry3d true_pose = pose(index);
+    frame.T_world_camera = device_ ? device_->pose(index) : true_pose;
     const Intrinsics K_depth = options_.phone.intrinsicsAt(frame.timestamp_s, options_.K);
     if (options_.phone.breathing > 0) frame.intrinsics = K_depth;
     const bool is_registered = !options_.color_camera;
     const bool is_one_image = is_registered && options_.color_width == 0;
     synthetic::RenderedFrame image = synthetic::renderFrame(
-        recipe_.scene, has_color && is_one_image ? lighting_.get() : nullptr, K_depth, *frame.T_world_camera);
+        recipe_.scene, has_color && is_one_image ? lighting_.get() : nullptr, K_depth, true_pose);
     if (has_color && !is_registered) {
       const Eigen::Isometry3d T_depth_color = options_.color_camera->T_color_depth.inverse();
       const Intrinsics& K = options_.color_camera->K;
       const synthetic::RenderedFrame of_color =
-          synthetic::renderFrame(recipe_.scene, lighting_.get(), K, *frame.T_world_camera * T_depth_color);
+          synthetic::renderFrame(recipe_.scene, lighting_.get(), K, true_pose * T_depth_color);
       frame.color = exposed(of_color, K, T_depth_color, index);
       frame.color_camera = options_.color_camera;
     } else if (has_color && is_one_image) {
@@ -117,8 +124,8 @@ class RenderedSource final : public SyntheticSource {
     } else if (has_color) {
       const int height = std::max(1, options_.color_width * K_depth.height / K_depth.width);
       const Intrinsics K = K_depth.resizedTo(options_.color_width, height);
-      frame.color = exposed(synthetic::renderFrame(recipe_.scene, lighting_.get(), K, *frame.T_world_camera),
-                            K, Eigen::Isometry3d::Identity(), index);
+      frame.color = exposed(synthetic::renderFrame(recipe_.scene, lighting_.get(), K, true_pose), K,
+                            Eigen::Isometry3d::Identity(), index);
     }
     const auto number = static_cast<std::uint32_t>(index);
     if (options_.noise) {
@@ -183,6 +190,7 @@ class RenderedSource final : public SyntheticSource {
   synthetic::SceneRecipe recipe_;
   std::vector<Eigen::Isometry3d> T_world_rest_;  // initial poses of the parts
   synthetic::Trajectory trajectory_;
+  std::optional<synthetic::DevicePath> device_;
   std::unique_ptr<synthetic::Lighting> lighting_;  // baked at the first colour image
   SourceInfo info_;
   int given_ = 0;
@@ -206,6 +214,8 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
       options.phone = kPhone;
       options.K = kPhoneDepth;
       options.color_width = kPhoneColorWidth_px;
+    } else if (mode == "device") {
+      options.device.emplace();
     } else if (mode == "hard") {
       random_recipe = demo.hard_recipe;
       is_random = true;
@@ -277,7 +287,7 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
         "Choose tabletop, room, sweep, moving, hands, wall or corridor; add :7 for the random scene of that "
         "seed (not of wall and corridor), :hard for a camera that fails as real ones do (tabletop and room), "
         ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise, "
-        ":phone for a telephone's camera.");
+        ":phone for a telephone's camera, :device for the poses of a phone that tracks itself.");
   }
   options.start = given.start;
   options.stride = given.stride;

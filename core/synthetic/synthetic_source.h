@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
+#include "core/synthetic/device_path.h"
 #include "core/synthetic/phone_camera.h"
 #include "core/synthetic/scene_recipe.h"
 
@@ -29,12 +30,16 @@ struct SyntheticOptions {
   int color_width = 0;           ///< of registered colour images; 0: as wide as depth images
   bool color = true;             ///< false: no colour images (a good third faster)
   bool tremor = true;            ///< tremor of a hand
-  std::uint32_t seed = 1;        ///< of noise, tremor, bumps and tints; `recipe` has its own seed
+  /// The recording's poses are those of a device that tracks itself; none: the true ones.
+  std::optional<synthetic::DeviceErrors> device = {};
+  std::optional<double> frames_per_second = {};  ///< of the returned frames; none: 30, before `stride`
+  std::uint32_t seed = 1;  ///< of noise, tremor, bumps and tints; `recipe` has its own seed
   float meters_per_unit = 0.001F;
 };
 
-/// A rendered recording at 30 frames a second (`timestamp_s` = index / 30) with exact poses and instance
-/// masks, those of depth. Pixels without a reading have their instance, too.
+/// A rendered recording at 30 frames a second (`timestamp_s` = index / 30) with exact poses (unless
+/// SyntheticOptions::device) and instance masks, those of depth. Pixels without a reading have their
+/// instance, too.
 class SyntheticSource : public FrameSource {
  public:
   /// The scene at the last returned frame; before the first, its initial state.
@@ -50,8 +55,9 @@ class SyntheticSource : public FrameSource {
 /// order: ":7" selects the random scene of that seed, ":hard" its hard generation (tabletop, room; without a
 /// seed that of 1), ":exact" disables noise, ":uneven" adds bumps, ":drab" reduces the colours, ":phone"
 /// gives depth of 256 x 192 with confidence, a focal length that swings by 2.5 %, and a colour image of 960 x
-/// 720 for every third frame. Intrinsics in `options` apply to the rendered depth (its size stays, that of
-/// colour too). Error: names the scene and lists the known ones.
+/// 720 for every third frame, ":device" gives the poses of a device that tracks itself. Intrinsics in
+/// `options` apply to the rendered depth (its size stays, that of colour too). Error: names the scene and
+/// lists the known ones.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);
 

@@ -80,14 +80,14 @@ struct Step {
   }
 };
 
-/// `motion`: before; none: unknown.
-Step stepAfter(const std::optional<DeviceMotion::Motion>& motion, const DeviceMotion::Motion& moved) {
+/// `motion`: before.
+Step stepAfter(const DeviceMotion::Motion& motion, const DeviceMotion::Motion& moved) {
   Step step{moved, std::nullopt};
   const double interval_s = moved.duration_s;
   const bool is_pause = interval_s > kLongestPause_s;
   ViewReach limit = is_pause ? times(interval_s, kFirstJump) : kFirstJump;
-  if (motion && !is_pause) {
-    step.expected = scaled(motion->motion, std::min(interval_s / motion->duration_s, kMostTimes));
+  if (motion.isKnown() && !is_pause) {
+    step.expected = scaled(motion.motion, std::min(interval_s / motion.duration_s, kMostTimes));
     limit = sum(kDeviceJump, times(interval_s * interval_s, kAcceleration));
     limit = sum(limit, times(kChangeOfMotion, lengthOf(*step.expected)));
   }
@@ -100,7 +100,7 @@ Step stepTo(const DeviceMotion::Memory& last, const Eigen::Isometry3d& T_device_
   const DeviceMotion::Motion moved{last.T_device_camera.inverse() * T_device_camera,
                                    time_s > last.time_s ? time_s - last.time_s : kUsualInterval_s};
   const Step step = stepAfter(last.motion, moved);
-  if (!step.is_jump || !last.jump) return step;
+  if (!step.is_jump || !last.jump.isKnown()) return step;
   // The camera goes on as it seemed to jump, so that was its motion.
   const Step as_before = stepAfter(last.jump, moved);
   return as_before.is_jump ? step : as_before;

@@ -43,15 +43,17 @@ class DeviceMotion {
   /// A motion between two frames, in the camera's frame.
   struct Motion {
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    double duration_s = 0;
+    double duration_s = 0;  ///< 0: unknown
+
+    [[nodiscard]] bool isKnown() const { return duration_s > 0; }
   };
   /// State for a later scan of the same map.
   struct Memory {
     Eigen::Isometry3d T_device_camera = Eigen::Isometry3d::Identity();  ///< of the last frame
     double time_s = 0;                                                  ///< likewise
     Eigen::Isometry3d T_world_device = Eigen::Isometry3d::Identity();  ///< from the device's world to the map
-    std::optional<Motion> motion = {};  ///< to the last frame, or before a jump to it; none: unknown
-    std::optional<Motion> jump = {};    ///< to the last frame, if it was a jump
+    Motion motion{};  ///< to the last frame, or before a jump to it
+    Motion jump{};    ///< to the last frame, if it was a jump; else unknown
     /// How far the device may have drifted since the map confirmed its pose.
     ViewReach drift{};
   };

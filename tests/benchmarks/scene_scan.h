@@ -106,7 +106,8 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
   SceneScan scan;
   SCANTROVE_TRY(moveInto(
       scan.pipeline,
-      MappingPipeline::create(compute, {(*source)->info().intrinsics, params, options.poses == "given"})));
+      MappingPipeline::create(compute, {(*source)->info().intrinsics, params,
+                                        options.poses == "given" ? PoseUse::given : PoseUse::none})));
   const auto start = std::chrono::steady_clock::now();
   std::optional<Eigen::Isometry3d> T_truth_estimate;
   for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;

@@ -16,7 +16,10 @@ KeyFrame someKeyFrame() {
   return key_frame;
 }
 
-CameraMemory someMemory(bool with_tracker) {
+enum class With { nothing, tracker, device };
+
+CameraMemory someMemory(With with) {
+  const bool with_tracker = with != With::nothing;
   const Intrinsics K{60, 61, 1.5F, 1, 4, 3};
   CameraMemory memory;
   if (with_tracker) {
@@ -27,6 +30,12 @@ CameraMemory someMemory(bool with_tracker) {
     memory.tracker->surfaces = {
         {Eigen::Isometry3d::Identity(), StoredSurface(K, cv::Mat(3, 4, CV_16UC1, cv::Scalar(900))), false}};
     memory.reference_normals_world.assign(12, {0, 0, 1, 1});
+  }
+  if (with == With::device) {
+    DeviceMotion::Memory& device = memory.tracker->device.emplace();
+    device.time_s = 3;
+    device.motion.duration_s = device.jump.duration_s = 0.2;
+    device.drift = {0.1, 0.2};
   }
   memory.free_space.witnesses.push_back(
       {K, Eigen::Isometry3d::Identity(), cv::Mat(3, 4, CV_32FC1, cv::Scalar(3))});
@@ -49,8 +58,8 @@ bool isUsable(const Intrinsics& K) {
 
 std::vector<std::string> seeds() {
   std::vector<std::string> all;
-  for (const bool with_tracker : {false, true}) {
-    const std::vector<std::uint32_t> words = toWords(someMemory(with_tracker));
+  for (const With with : {With::nothing, With::tracker, With::device}) {
+    const std::vector<std::uint32_t> words = toWords(someMemory(with));
     all.emplace_back(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
   }
   return all;
@@ -71,6 +80,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                   "the camera of a witness is usable");
   if (!memory->tracker) return 0;
   test::require(test::isRigid(memory->tracker->last), "the last pose is rigid");
+  if (const auto& device = memory->tracker->device) {
+    test::require(test::isRigid(device->T_device_camera) && test::isRigid(device->T_world_device) &&
+                      test::isRigid(device->motion.motion) && test::isRigid(device->jump.motion),
+                  "the poses of a device are rigid");
+    test::require(
+        std::isfinite(device->time_s) && device->motion.duration_s >= 0 && device->jump.duration_s >= 0,
+        "its times are times");
+  }
   for (const KeyFrame& key_frame : memory->tracker->places) {
     test::require(test::isRigid(key_frame.T_world_camera), "a tracking key frame has a rigid pose");
     test::require(key_frame.landmarks.descriptors.empty() || key_frame.landmarks.descriptors.cols == 32,

@@ -26,14 +26,14 @@ class SyntheticScan {
   };
 
   explicit SyntheticScan(const SyntheticOptions& options, const MappingParams& params = {},
-                         bool poses_given = false) {
+                         PoseUse poses = PoseUse::none) {
     auto source = makeSyntheticSource(options);
     EXPECT_TRUE(source) << (source ? "" : source.error().message());
     source_ = std::move(*source);
     auto compute = ComputeContext::create({});
     EXPECT_TRUE(compute) << (compute ? "" : compute.error().message());
     compute_ = std::move(*compute);
-    auto pipeline = MappingPipeline::create(*compute_, {options.K, params, poses_given});
+    auto pipeline = MappingPipeline::create(*compute_, {options.K, params, poses});
     EXPECT_TRUE(pipeline) << (pipeline ? "" : pipeline.error().message());
     pipeline_ = std::move(*pipeline);
   }
@@ -47,7 +47,7 @@ class SyntheticScan {
       ASSERT_TRUE(result) << result.error().message();
       Frame frame;
       frame.pose = result->pose;
-      frame.true_pose = *read.frame.T_world_camera;
+      frame.true_pose = source_->pose(read.frame.index);
       const Intrinsics& K = pipeline_->workingIntrinsics();
       frame.segments = image(result->segments.ids, K);
       frame.regions = image(result->view.regions, K);

@@ -15,15 +15,19 @@ namespace scantrove::test {
 class TrackingRig {
  public:
   /// `K`: of the depth images. Throws where create() fails.
-  TrackingRig(ComputeContext& compute, const Intrinsics& K)
+  TrackingRig(ComputeContext& compute, const Intrinsics& K,
+              PoseTracker::Predictor predictor = PoseTracker::Predictor::camera)
       : compute_(compute),
         preprocessor_(std::move(DepthPreprocessor::create(compute, K, params_).value())),
         motion_(std::move(MotionFilter::create(compute, params_).value())),
         map_(std::move(DenseMap::create(compute, params_).value())),
-        tracker_(std::move(
-            PoseTracker::create(compute, params_, [this](const Eigen::Isometry3d& T, SurfaceMaps& surface) {
-              map_->raycast(T, working_K_, surface);
-            }).value())) {}
+        tracker_(std::move(PoseTracker::create(
+                               compute, params_,
+                               [this](const Eigen::Isometry3d& T, SurfaceMaps& surface) {
+                                 map_->raycast(T, working_K_, surface);
+                               },
+                               predictor)
+                               .value())) {}
   TrackingRig(const TrackingRig&) = delete;
   TrackingRig& operator=(const TrackingRig&) = delete;
 

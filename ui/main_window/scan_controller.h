@@ -22,7 +22,7 @@ class ScanController : public QObject {
 
   /// Opens a source and starts scanning; a folder with a saved scan is opened by openSession().
   void open(const QString& source, const SourceOptions& options = {},
-            ScanRequest::Poses poses = ScanRequest::Poses::tracked);
+            ScanRequest::Poses poses = ScanRequest::Poses::automatic);
   /// Opens the session of an earlier scan for review and edits.
   void openSession(const QString& folder);
   /// Does the missing refinement of the open session.

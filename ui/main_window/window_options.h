@@ -11,7 +11,7 @@ namespace scantrove {
 struct WindowOptions {
   std::string source;  ///< opened at once; empty: the start page
   SourceOptions source_options;
-  ScanRequest::Poses poses = ScanRequest::Poses::tracked;
+  ScanRequest::Poses poses = ScanRequest::Poses::automatic;
   std::string device;
   std::string database;  ///< empty: the default one in $XDG_DATA_HOME
   ScanParams params;

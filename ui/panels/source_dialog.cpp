@@ -51,7 +51,14 @@ SourceDialog::SourceDialog(const QString& source, QWidget* parent)
   setMinimumWidth(520);
   intrinsics_->setPlaceholderText(tr("from the recording; or fx, fy, cx, cy in pixels"));
   depth_scale_->setPlaceholderText(tr("from the recording; or units per metre"));
-  poses_->addItems({tr("Track the camera"), tr("Use the poses of the recording")});
+  const auto addPoses = [this](const QString& text, ScanRequest::Poses poses, const QString& help) {
+    poses_->addItem(text, static_cast<int>(poses));
+    poses_->setItemData(poses_->count() - 1, help, Qt::ToolTipRole);
+  };
+  addPoses(tr("Automatic"), ScanRequest::Poses::automatic,
+           tr("Poses of a device that tracks itself help to track the camera; others are not used."));
+  addPoses(tr("Track the camera"), ScanRequest::Poses::tracked, tr("Poses of the recording are not used."));
+  addPoses(tr("Use the poses of the recording"), ScanRequest::Poses::given, tr("The camera is not tracked."));
 
   auto* form = new QFormLayout;
   form->setSpacing(8);
@@ -95,7 +102,7 @@ SourceOptions SourceDialog::options() const {
 }
 
 ScanRequest::Poses SourceDialog::poses() const {
-  return poses_->currentIndex() == 1 ? ScanRequest::Poses::given : ScanRequest::Poses::tracked;
+  return static_cast<ScanRequest::Poses>(poses_->currentData().toInt());
 }
 
 void SourceDialog::browse() {

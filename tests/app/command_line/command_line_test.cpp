@@ -137,6 +137,14 @@ TEST(CommandLine, RefusesNumbersOutOfRange) {
   expectRefused(parseScan({"--depth-scale", "0"}), {"--depth-scale"});
 }
 
+TEST(CommandLine, PosesAreAutomatic_UnlessSaid) {
+  using Poses = ScanRequest::Poses;
+  EXPECT_EQ(parse({"demo"}).window.poses, Poses::automatic);
+  EXPECT_EQ(parse({"demo", "--poses", "auto"}).window.poses, Poses::automatic);
+  EXPECT_EQ(parse({"demo", "--poses", "tracked"}).window.poses, Poses::tracked);
+  EXPECT_EQ(parse({"demo", "--poses", "given"}).window.poses, Poses::given);
+}
+
 TEST(CommandLine, RefusesCameras_WhenTheyAreImpossible) {
   expectRefused(parseScan({"--intrinsics", "525,525"}), {"--intrinsics", "4 numbers"});
   expectRefused(parseScan({"--intrinsics", "a,b,c,d"}), {"--intrinsics", "fx,fy,cx,cy"});

@@ -29,7 +29,7 @@ TEST(Coverage, MatchesTheTrueViewDirections) {
   SyntheticOptions options;
   options.frames = 720;  // the camera moves around the table
   options.stride = 8;
-  SyntheticScan scan(options, {}, true);  // true poses, as the steps are wide
+  SyntheticScan scan(options, {}, PoseUse::given);  // true poses, as the steps are wide
   scan.run();
   ASSERT_EQ(scan.frames.size(), 90U);
 

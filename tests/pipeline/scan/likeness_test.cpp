@@ -78,7 +78,7 @@ class LikenessTest : public testing::Test {
     SyntheticOptions options;
     options.recipe = makeEqualsScene;
     options.stride = 2;
-    scan_ = new SyntheticScan(options, {}, true);
+    scan_ = new SyntheticScan(options, {}, PoseUse::given);
     scan_->run();
     appearances_ = new std::map(appearancesOf(scan_->pipeline()));
   }

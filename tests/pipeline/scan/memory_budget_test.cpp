@@ -87,7 +87,7 @@ std::vector<Point> MemoryBudgetTest::cloud_;
 
 TEST_F(MemoryBudgetTest, DoesNotChangePointsLabelsMeshOrViews) {
   ASSERT_EQ(unlimited_->pipeline().bricks().storedBytes(), 0U);
-  SyntheticScan scan(corridorOptions(), paramsWith(9), true);
+  SyntheticScan scan(corridorOptions(), paramsWith(9), PoseUse::given);
   scan.run();
   EXPECT_FALSE(scan.pipeline().bricks().takeFailure());
   const BrickMap& bricks = scan.pipeline().bricks();
@@ -117,7 +117,7 @@ TEST_F(MemoryBudgetTest, DoesNotChangePointsLabelsMeshOrViews) {
 TEST_F(MemoryBudgetTest, ScanContinuesAndReportsIt_WithoutADisk) {
   const test::TemporaryFolder folder;
   const TemporaryFilesIn nowhere((folder.path() / "nowhere").string());
-  SyntheticScan scan(corridorOptions(), paramsWith(9), true);
+  SyntheticScan scan(corridorOptions(), paramsWith(9), PoseUse::given);
   scan.run();
   const auto failure = scan.pipeline().bricks().takeFailure();
   ASSERT_TRUE(failure);

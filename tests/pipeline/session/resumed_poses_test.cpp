@@ -70,7 +70,7 @@ SessionContents contentsOf(const std::filesystem::path& folder) {
 }
 
 /// The depth of the wall constrains one of three directions of motion, so poses depend on earlier frames. In
-/// the other recording a person walks through the view.
+/// the second recording a person walks through the view. The third one has poses of a device.
 class ResumedPosesTest : public testing::TestWithParam<RecordingCase> {};
 
 TEST_P(ResumedPosesTest, EqualThoseOfAnUninterruptedScan) {
@@ -193,7 +193,8 @@ TEST(ResumedPosesByKeyFrames, AreFoundAtOnce_WhenTheCameraHasMoved) {
 
 INSTANTIATE_TEST_SUITE_P(Of, ResumedPosesTest,
                          testing::Values(RecordingCase{"demo:wall", 3, 35, 60},
-                                         RecordingCase{"demo:moving:3", 2, 30, 45}));
+                                         RecordingCase{"demo:moving:3", 2, 30, 45},
+                                         RecordingCase{"demo:room:device", 9, 10, 16}));
 
 }  // namespace
 }  // namespace scantrove::test

@@ -43,7 +43,7 @@ class SnapshotBuilderTest : public testing::Test {
   }
 
   void makePipeline(const Intrinsics& K, const MappingParams& params) {
-    auto pipeline = MappingPipeline::create(*compute_, {K, params, true});
+    auto pipeline = MappingPipeline::create(*compute_, {K, params, PoseUse::given});
     ASSERT_TRUE(pipeline) << pipeline.error().message();
     pipeline_ = std::move(*pipeline);
   }

@@ -54,6 +54,19 @@ Reading readAll(std::deque<Eigen::Vector3d> positions, const std::optional<Eigen
   return reading;
 }
 
+TEST(LocalPoses, KeepsFramesWithoutTheirPoses_WhereTheseArePredictions) {
+  LocalPoses source(std::make_unique<ListedPoses>(std::deque<Eigen::Vector3d>{
+                        {500000, 0, 0}, {500000.5, 0, 0}, {1e20, 0, 0}, {500001, 0, 0}}),
+                    std::nullopt, LocalPoses::Implausible::without_pose);
+  std::vector<bool> have_pose;
+  for (FrameRead read = source.next(); read.status != FrameRead::Status::end; read = source.next()) {
+    ASSERT_EQ(read.status, FrameRead::Status::frame);
+    have_pose.push_back(read.frame.T_world_camera.has_value());
+  }
+  EXPECT_THAT(have_pose, ElementsAre(true, true, false, true));
+  EXPECT_EQ(source.origin(), Eigen::Vector3d(500000, 0, 0));
+}
+
 TEST(LocalPoses, SetsOriginInWholeMeters_WhenTheFirstPoseIsFarAway) {
   const Reading reading = readAll({{5600000.25, -3.5, 0.125}, {5600001.5, -3.5, 0.125}});
   EXPECT_EQ(reading.origin, Eigen::Vector3d(5600000, -4, 0));

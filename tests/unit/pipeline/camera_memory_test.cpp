@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace scantrove::test {
 namespace {
@@ -33,6 +34,16 @@ KeyFrame keyFrameOf(double x) {
 SeenSurfaces::View viewOf(double x) {
   const Intrinsics K{50, 51, 3, 2, 7, 5};
   return {poseOf(x), StoredSurface(K, imageOf(7, 5, CV_16UC1, 9)), x > 1};
+}
+
+DeviceMotion::Memory deviceOf(double x) {
+  DeviceMotion::Memory device;
+  device.T_device_camera = poseOf(x);
+  device.time_s = 1.7e9 + x;
+  device.T_world_device = poseOf(x / 2);
+  device.motion = {poseOf(0.05), 0.2};
+  device.drift = {0.1, 0.25};
+  return device;
 }
 
 CameraMemory memoryOf(bool with_tracker) {
@@ -87,6 +98,39 @@ TEST(CameraMemory, ReadsBackNoPoseBeforeLast_WhenThereIsNone) {
   const auto back = cameraMemoryFrom(toWords(memory));
   ASSERT_TRUE(back);
   EXPECT_FALSE(back->tracker->before_last);
+}
+
+TEST(CameraMemory, ReadsBackTheMotionOfADevice) {
+  CameraMemory memory = memoryOf(true);
+  for (const bool has_jumped : {false, true}) {
+    memory.tracker->device = deviceOf(0.7);
+    if (has_jumped) memory.tracker->device->jump = {poseOf(0.6), 0.3};
+    const std::vector<std::uint32_t> words = toWords(memory);
+    const auto back = cameraMemoryFrom(words);
+    ASSERT_TRUE(back && back->tracker->device);
+    EXPECT_EQ(toWords(*back), words);
+    const DeviceMotion::Memory& device = *back->tracker->device;
+    EXPECT_EQ(device.T_device_camera.matrix(), poseOf(0.7).matrix());
+    EXPECT_EQ(device.T_world_device.matrix(), poseOf(0.35).matrix());
+    EXPECT_EQ(device.time_s, 1.7e9 + 0.7);
+    EXPECT_EQ(device.motion.duration_s, 0.2);
+    EXPECT_EQ(device.jump.isKnown(), has_jumped);
+    EXPECT_EQ(device.drift.distance_m, 0.25);
+    for (std::size_t length = words.size() - 80; length < words.size(); ++length)
+      EXPECT_FALSE(cameraMemoryFrom(std::span(words).first(length))) << length;
+  }
+}
+
+TEST(CameraMemory, IsRefused_WhenTheMotionOfTheDeviceIsDamaged) {
+  CameraMemory memory = memoryOf(true);
+  for (const double wrong : {-1.0, std::nan("")}) {
+    memory.tracker->device = deviceOf(0.7);
+    memory.tracker->device->motion.duration_s = wrong;
+    EXPECT_FALSE(cameraMemoryFrom(toWords(memory))) << wrong;
+  }
+  memory.tracker->device = deviceOf(0.7);
+  memory.tracker->device->drift.angle_rad = -0.1;
+  EXPECT_FALSE(cameraMemoryFrom(toWords(memory)));
 }
 
 // Any truncation is refused. A changed word is refused or read completely; the address sanitizer verifies

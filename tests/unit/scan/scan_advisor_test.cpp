@@ -76,5 +76,12 @@ TEST(ScanAdvisor, AdvisesAtTheEnd_WhenMostFramesAreLost) {
   EXPECT_FALSE(ScanAdvisor::adviceOn(frames));
 }
 
+TEST(ScanAdvisor, AdvisesAtTheEnd_WhenMostPosesAreTheDevicesAlone) {
+  const auto advice = ScanAdvisor::adviceOn({.read = 90, .tracked = 90, .by_device = 70});
+  ASSERT_TRUE(advice);
+  EXPECT_THAT(advice->message(), HasSubstr("Of 90 frames in the map 70 follow the device's own poses alone"));
+  EXPECT_FALSE(ScanAdvisor::adviceOn({.read = 90, .tracked = 90, .by_device = 20}));
+}
+
 }  // namespace
 }  // namespace scantrove::test

@@ -47,6 +47,19 @@ TEST_F(ScanTallyTest, CountsALateFrameAsTracked_WhenItWasLostBefore) {
   EXPECT_THAT(report().lost_frames, ElementsAre(2));
 }
 
+TEST_F(ScanTallyTest, CountsFramesByTheDeviceAlone_AndItsJumps) {
+  FrameResult by_device = tracked();
+  by_device.pose.is_by_device = true;
+  FrameResult jumped = tracked();
+  jumped.pose.has_device_jumped = true;
+  int index = 0;
+  for (const FrameResult& result : {tracked(), by_device, jumped, by_device})
+    static_cast<void>(tally_.addFrame(result, index++));
+  EXPECT_EQ(report().frames.tracked, 4);
+  EXPECT_EQ(report().frames.by_device, 2);
+  EXPECT_EQ(report().drift.device_jumps, 1);
+}
+
 TEST_F(ScanTallyTest, CountsTrackedFramesAsLost_WhenTheMapIsDiscarded) {
   static_cast<void>(tally_.addFrame(tracked(), 4));
   static_cast<void>(tally_.addFrame(lost(), 3));

@@ -45,6 +45,13 @@ TEST(JudgePose, ReportsInliersAndError) {
   EXPECT_NEAR(pose.rmse_m, 0.006, 1e-12);
 }
 
+TEST(JudgePose, TrustsTheDevice_WhereTheSurfaceLeavesDirectionsFree) {
+  const IcpOutcome wall = changed([](IcpOutcome& o) { o.step.free_directions = 3; });
+  EXPECT_EQ(judged(wall, GuessOrigin::device), tracking);
+  EXPECT_EQ(judged(wall, GuessOrigin::device, 0.5), uncertain) << "beyond its reach";
+  EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.system.inliers = 20000; }), GuessOrigin::device), uncertain);
+}
+
 TEST(JudgePose, IsUncertainOrLost_WhenEvidenceIsWeak) {
   constexpr GuessOrigin kOrigin = GuessOrigin::prediction;
   const IcpOutcome noisy = changed([](IcpOutcome& o) { o.system.fit_residual_m = 0.02; });
