@@ -135,8 +135,10 @@ void ScanRun::keepFrame(const RgbdFrame& frame, const FrameResult& result) {
   if (!std::exchange(is_recording_noted_, true)) {
     recorder.beginRecording(parts_.request.source, parts_.continued != nullptr ? parts_.continued->shift()
                                                                                : ContinuedSource::Shift{});
-    recorder.setMetadata(kOriginKey, originToText(parts_.origin_world));
   }
+  // A later frame may be the first with a pose of the device, and a new map may have another origin.
+  if (std::exchange(stored_origin_, parts_.origin_world) != parts_.origin_world)
+    recorder.setMetadata(kOriginKey, originToText(parts_.origin_world));
   recorder.addFrame(frame, result);
   keepJoins();
   recorder.saveWhenDue(*parts_.pipeline, parts_.objects->collector());

@@ -94,9 +94,10 @@ class ScanRun {
   ScanListener listener_;
   SnapshotBuilder snapshots_;
   ScanParts parts_;
-  std::optional<FrameRead> next_read_;  // read from the source ahead of time
-  bool is_recording_noted_ = false;     // in the session
-  RegionId last_earlier_region_;        // of earlier scans of the session
+  std::optional<FrameRead> next_read_;            // read from the source ahead of time
+  bool is_recording_noted_ = false;               // in the session
+  std::optional<Eigen::Vector3d> stored_origin_;  // there: ScanParts::origin_world
+  RegionId last_earlier_region_;                  // of earlier scans of the session
   std::optional<ScanTally> tally_;
   std::optional<ScanAdvisor> advisor_;
   std::vector<std::string> advice_;

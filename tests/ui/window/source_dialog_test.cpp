@@ -1,0 +1,22 @@
+#include "ui/panels/source_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+
+namespace scantrove {
+namespace {
+
+TEST(SourceDialog, UsesPosesOfADevice_UnlessThePersonChoosesOtherwise) {
+  const SourceDialog dialog(QStringLiteral("/recording"));
+  EXPECT_EQ(dialog.poses(), ScanRequest::Poses::automatic);
+  auto* poses = dialog.findChild<QComboBox*>();
+  ASSERT_EQ(poses->count(), 3);
+  poses->setCurrentIndex(poses->findText(QStringLiteral("Track the camera")));
+  EXPECT_EQ(dialog.poses(), ScanRequest::Poses::tracked);
+  poses->setCurrentIndex(poses->findText(QStringLiteral("Use the poses of the recording")));
+  EXPECT_EQ(dialog.poses(), ScanRequest::Poses::given);
+}
+
+}  // namespace
+}  // namespace scantrove
