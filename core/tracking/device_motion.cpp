@@ -68,41 +68,53 @@ Eigen::Isometry3d scaled(const Eigen::Isometry3d& motion, double factor) {
   return result;
 }
 
-/// The motion of a frame after the last one, and what it should be if the device did not jump.
-struct Step {
-  DeviceMotion::Motion moved;
-  std::optional<Eigen::Isometry3d> expected;  ///< none: unknown
-  bool is_jump = false;
+/// DeviceMotion::Motion::motion between two poses.
+Eigen::Isometry3d motionBetween(const Eigen::Isometry3d& before, const Eigen::Isometry3d& after) {
+  Eigen::Isometry3d motion(Eigen::Isometry3d(before.inverse() * after).linear());
+  motion.translation() = after.translation() - before.translation();
+  return motion;
+}
 
-  /// How far the motion is from the expected one.
-  [[nodiscard]] ViewReach deviation() const {
-    return lengthOf(expected ? expected->inverse() * moved.motion : moved.motion);
-  }
+Eigen::Isometry3d poseAfter(const Eigen::Isometry3d& before, const Eigen::Isometry3d& motion) {
+  Eigen::Isometry3d after(before.linear() * motion.linear());
+  after.translation() = before.translation() + motion.translation();
+  return after;
+}
+
+/// The motion of a frame after the last one, and where it should be if the device did not jump.
+struct Step {
+  DeviceMotion::Motion motion;
+  Eigen::Isometry3d expected;  ///< T_device_camera
+  ViewReach deviation;         ///< from there
+  bool is_jump;
 };
 
-/// `motion`: before.
-Step stepAfter(const DeviceMotion::Motion& motion, const DeviceMotion::Motion& moved) {
-  Step step{moved, std::nullopt};
-  const double interval_s = moved.duration_s;
+/// `before`: the motion to the last frame.
+Step stepAfter(const DeviceMotion::Motion& before, const DeviceMotion::Memory& last,
+               const Eigen::Isometry3d& T_device_camera, const DeviceMotion::Motion& motion) {
+  const double interval_s = motion.duration_s;
   const bool is_pause = interval_s > kLongestPause_s;
+  Step step{motion, last.T_device_camera, {}, false};
   ViewReach limit = is_pause ? times(interval_s, kFirstJump) : kFirstJump;
-  if (motion.isKnown() && !is_pause) {
-    step.expected = scaled(motion.motion, std::min(interval_s / motion.duration_s, kMostTimes));
+  if (before.isKnown() && !is_pause) {
+    const Eigen::Isometry3d expected =
+        scaled(before.motion, std::min(interval_s / before.duration_s, kMostTimes));
+    step.expected = poseAfter(last.T_device_camera, expected);
     limit = sum(kDeviceJump, times(interval_s * interval_s, kAcceleration));
-    limit = sum(limit, times(kChangeOfMotion, lengthOf(*step.expected)));
+    limit = sum(limit, times(kChangeOfMotion, lengthOf(expected)));
   }
-  const ViewReach deviation = step.deviation();
-  step.is_jump = deviation.angle_rad > limit.angle_rad || deviation.distance_m > limit.distance_m;
+  step.deviation = lengthOf(step.expected.inverse() * T_device_camera);
+  step.is_jump = step.deviation.angle_rad > limit.angle_rad || step.deviation.distance_m > limit.distance_m;
   return step;
 }
 
 Step stepTo(const DeviceMotion::Memory& last, const Eigen::Isometry3d& T_device_camera, double time_s) {
-  const DeviceMotion::Motion moved{last.T_device_camera.inverse() * T_device_camera,
-                                   time_s > last.time_s ? time_s - last.time_s : kUsualInterval_s};
-  const Step step = stepAfter(last.motion, moved);
+  const DeviceMotion::Motion motion{motionBetween(last.T_device_camera, T_device_camera),
+                                    time_s > last.time_s ? time_s - last.time_s : kUsualInterval_s};
+  const Step step = stepAfter(last.motion, last, T_device_camera, motion);
   if (!step.is_jump || !last.jump.isKnown()) return step;
   // The camera goes on as it seemed to jump, so that was its motion.
-  const Step as_before = stepAfter(last.jump, moved);
+  const Step as_before = stepAfter(last.jump, last, T_device_camera, motion);
   return as_before.is_jump ? step : as_before;
 }
 
@@ -117,13 +129,12 @@ std::optional<DeviceMotion::Prediction> DeviceMotion::predict(const Eigen::Isome
   if (!state_) return std::nullopt;
   const Step step = stepTo(*state_, T_device_camera, time_s);
   Prediction prediction;
-  prediction.noise = sum(kNoise, limited(sum(state_->drift, driftOver(lengthOf(step.moved.motion)))));
+  prediction.noise = sum(kNoise, limited(sum(state_->drift, driftOver(lengthOf(step.motion.motion)))));
   prediction.T_world_camera = exactPose(state_->T_world_device * T_device_camera);
   if (!step.is_jump) return prediction;
   prediction.T_world_jumped = prediction.T_world_camera;
-  prediction.noise = sum(prediction.noise, step.deviation());
-  const Eigen::Isometry3d motion = step.expected.value_or(Eigen::Isometry3d::Identity());
-  prediction.T_world_camera = exactPose(state_->T_world_device * state_->T_device_camera * motion);
+  prediction.noise = sum(prediction.noise, step.deviation);
+  prediction.T_world_camera = exactPose(state_->T_world_device * step.expected);
   return prediction;
 }
 
@@ -135,9 +146,9 @@ void DeviceMotion::update(const Eigen::Isometry3d& T_device_camera, double time_
   next.T_world_device = exactPose(T_world_camera * T_device_camera.inverse());
   if (state_) {
     const Step step = stepTo(*state_, T_device_camera, time_s);
-    next.motion = step.is_jump ? state_->motion : step.moved;
-    if (step.is_jump) next.jump = step.moved;
-    const ViewReach added = step.is_jump ? step.deviation() : driftOver(lengthOf(step.moved.motion));
+    next.motion = step.is_jump ? state_->motion : step.motion;
+    if (step.is_jump) next.jump = step.motion;
+    const ViewReach added = step.is_jump ? step.deviation : driftOver(lengthOf(step.motion.motion));
     next.drift = limited(sum(state_->drift, added));
   }
   if (support == Support::firm) next.drift = {};

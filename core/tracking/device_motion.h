@@ -40,8 +40,9 @@ class DeviceMotion {
   void update(const Eigen::Isometry3d& T_device_camera, double time_s,
               const Eigen::Isometry3d& T_world_camera, Support support);
 
-  /// A motion between two frames, in the camera's frame.
+  /// A motion between two frames.
   struct Motion {
+    /// Rotation in the camera's frame, translation in the device's world: a camera may pan while it walks on.
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
     double duration_s = 0;  ///< 0: unknown
 

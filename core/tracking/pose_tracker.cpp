@@ -86,7 +86,9 @@ void PoseTracker::registerNearDevice(TrackingAttempt& attempt, const DepthPyrami
   const DeviceMotion::Prediction& device = *attempt.by_device;
   std::vector<Eigen::Isometry3d> guesses{device.T_world_camera};
   if (device.T_world_jumped) guesses.push_back(*device.T_world_jumped);
-  const IcpOutcome outcome = aligner_->alignFirmly(depth, model, guesses);
+  // After a jump the device determines no direction.
+  const IcpOutcome outcome = device.T_world_jumped ? aligner_->align(depth, model, guesses)
+                                                   : aligner_->alignFirmly(depth, model, guesses);
   attempt.by_surface = judge(outcome, device.T_world_camera,
                              device.T_world_jumped ? GuessOrigin::prediction : GuessOrigin::device);
   attempt.is_firm = outcome.step.is_firm;
@@ -127,6 +129,7 @@ PoseEstimate PoseTracker::trackByDevice(Search& search) {
   PoseEstimate pose = attempt.by_surface;
   was_firm_ = pose.usable() && device.agrees(pose.T_world_camera, attempt.is_firm);
   if (!was_firm_) {
+    if (pose.usable()) attempt.by_surface.state = TrackingState::uncertain;
     pose = recover(search);
     if (pose.usable() && !device.agrees(pose.T_world_camera, true)) pose.state = TrackingState::uncertain;
     if (!pose.usable() && !device.T_world_jumped && attempt.readings >= kMinDepthToFollow) {
@@ -258,6 +261,7 @@ PoseEstimate PoseTracker::withoutDrift(const DepthPyramid& depth, PoseEstimate p
   if (!isSeenAgain(outcome, pose.T_world_camera)) return pose;
   pose.drift_m = (outcome.T_world_camera.translation() - pose.T_world_camera.translation()).norm();
   pose.T_world_camera = outcome.T_world_camera;
+  pose.is_by_device = false;
   return pose;
 }
 
@@ -281,7 +285,9 @@ void PoseTracker::followDevice(const TrackingAttempt& attempt, const PoseEstimat
   if (!pose.usable() && !attempt.by_device) return device_->forget();
   using enum DeviceMotion::Support;
   const bool is_confirmed = pose.usable() && !pose.is_by_device;
-  const bool is_firm = !attempt.by_device || attempt.is_firm || attempt.by_landmarks || pose.drift_m;
+  // A recovered pose agrees with landmarks, or with surface that determines it.
+  const bool is_recovered = attempt.by_device && !was_firm_;
+  const bool is_firm = !attempt.by_device || attempt.is_firm || is_recovered || pose.drift_m.has_value();
   device_->update(*frame.T_world_camera, frame.timestamp_s,
                   pose.usable() ? pose.T_world_camera : attempt.by_device->T_world_camera,
                   !is_confirmed ? none

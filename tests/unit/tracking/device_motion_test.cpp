@@ -152,6 +152,21 @@ TEST(DeviceMotion, BelievesASecondMotionLikeTheJump) {
   EXPECT_FALSE(motion.predict(jerked.device(2), 100 + 6 / 30.0)->T_world_jumped);
 }
 
+TEST(DeviceMotion, ExpectsACameraToPan_WhileItWalksOn) {
+  DeviceMotion motion;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Isometry3d device = pose(0, 30 * i, 0, 0.6 * i, 0, 0);
+    if (const auto prediction = motion.predict(device, 0.2 * i)) {
+      EXPECT_FALSE(prediction->T_world_jumped) << i;
+    }
+    motion.update(device, 0.2 * i, device, Support::firm);
+  }
+  const Eigen::Isometry3d next = pose(0, 30 * 8, 0, 0.6 * 8, 0, 0);
+  const auto jumped = motion.predict(pose(0, 0, 0, 0, 0, 0.6) * next, 1.6);
+  ASSERT_TRUE(jumped && jumped->T_world_jumped);
+  EXPECT_TRUE(jumped->T_world_camera.isApprox(next, 1e-9));
+}
+
 TEST(DeviceMotion, ComparesSpeeds_WhenFramesAreMissing) {
   const Walk walk;
   const DeviceMotion motion = followed(walk, 8);
