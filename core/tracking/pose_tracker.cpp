@@ -63,7 +63,7 @@ void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& 
   if (!last_) return;
   if (attempt.by_device) {
     if (viewDistance(model.T_world_camera, attempt.by_device->T_world_camera, kSameView) < 1)
-      registerNearDevice(attempt, depth, model);
+      registerNearDevice(attempt, depth, model, attempt.by_device->T_world_camera);
     return;
   }
   const std::vector<Eigen::Isometry3d> guesses = predict(model);
@@ -82,19 +82,17 @@ void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& 
 }
 
 void PoseTracker::registerNearDevice(TrackingAttempt& attempt, const DepthPyramid& depth,
-                                     const SurfaceMaps& model) {
-  const DeviceMotion::Prediction& device = *attempt.by_device;
-  std::vector<Eigen::Isometry3d> guesses{device.T_world_camera};
-  if (device.T_world_jumped) guesses.push_back(*device.T_world_jumped);
+                                     const SurfaceMaps& model, const Eigen::Isometry3d& guess) {
   // After a jump the device determines no direction.
-  const IcpOutcome outcome = device.T_world_jumped ? aligner_->align(depth, model, guesses)
-                                                   : aligner_->alignFirmly(depth, model, guesses);
-  attempt.by_surface = judge(outcome, device.T_world_camera,
-                             device.T_world_jumped ? GuessOrigin::prediction : GuessOrigin::device);
+  const bool has_jumped = attempt.by_device->T_world_jumped.has_value();
+  const std::span guesses(&guess, 1);
+  const IcpOutcome outcome =
+      has_jumped ? aligner_->align(depth, model, guesses) : aligner_->alignFirmly(depth, model, guesses);
+  attempt.by_surface = judge(outcome, guess, has_jumped ? GuessOrigin::prediction : GuessOrigin::device);
   attempt.is_firm = outcome.step.is_firm;
   attempt.is_registered = true;
   if (outcome.pixels > 0) attempt.readings = outcome.system.readings / static_cast<double>(outcome.pixels);
-  if (attempt.by_surface.state == TrackingState::lost) attempt.by_surface.T_world_camera = guesses.front();
+  if (attempt.by_surface.state == TrackingState::lost) attempt.by_surface.T_world_camera = guess;
 }
 
 PoseEstimate PoseTracker::track(TrackingAttempt attempt, const DepthPyramid& depth,
@@ -105,7 +103,13 @@ PoseEstimate PoseTracker::track(TrackingAttempt attempt, const DepthPyramid& dep
     pose = begin(attempt.clues.frame, depth);
   } else {
     Search search{attempt, depth, model};
-    pose = attempt.by_device ? trackByDevice(search) : trackByCamera(search);
+    pose = attempt.by_surface;
+    if (attempt.by_device) {
+      pose = trackByDevice(search);
+    } else {
+      if (!pose.usable() || !attempt.is_firm) pose = recover(search);
+      was_firm_ = attempt.is_firm;
+    }
     if (pose.usable()) pose = withoutDrift(depth, pose);
     locator_.endFrame(attempt.clues);
   }
@@ -113,19 +117,16 @@ PoseEstimate PoseTracker::track(TrackingAttempt attempt, const DepthPyramid& dep
   return pose;
 }
 
-PoseEstimate PoseTracker::trackByCamera(Search& search) {
-  const TrackingAttempt& attempt = search.attempt;
-  was_firm_ = attempt.is_firm;
-  return attempt.by_surface.usable() && attempt.is_firm ? attempt.by_surface : recover(search);
-}
-
 PoseEstimate PoseTracker::trackByDevice(Search& search) {
   TrackingAttempt& attempt = search.attempt;
   const DeviceMotion::Prediction& device = *attempt.by_device;
-  if (!attempt.is_registered) {
-    view_model_(device.T_world_camera, verified_);
-    registerNearDevice(attempt, search.depth, verified_);
-  }
+  const auto registerAt = [&](const Eigen::Isometry3d& guess) {
+    view_model_(guess, verified_);
+    registerNearDevice(attempt, search.depth, verified_, guess);
+  };
+  if (!attempt.is_registered) registerAt(device.T_world_camera);
+  // It may have been no jump but a jerk of the hand.
+  if (!attempt.by_surface.usable() && device.T_world_jumped) registerAt(*device.T_world_jumped);
   PoseEstimate pose = attempt.by_surface;
   was_firm_ = pose.usable() && device.agrees(pose.T_world_camera, attempt.is_firm);
   if (!was_firm_) {

@@ -132,11 +132,11 @@ class PoseTracker {
   [[nodiscard]] PoseEstimate begin(const RgbdFrame& frame, const DepthPyramid& depth);
   /// Predicted poses, best first.
   [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
-  [[nodiscard]] PoseEstimate trackByCamera(Search& search);
   /// The pose by the map, if it agrees with the device's motion, else by that motion.
   [[nodiscard]] PoseEstimate trackByDevice(Search& search);
-  /// Registers against `model`, the map as seen from the device's prediction.
-  void registerNearDevice(TrackingAttempt& attempt, const DepthPyramid& depth, const SurfaceMaps& model);
+  /// Registers against `model`, the map as seen from about `guess`, which is a pose by the device.
+  void registerNearDevice(TrackingAttempt& attempt, const DepthPyramid& depth, const SurfaceMaps& model,
+                          const Eigen::Isometry3d& guess);
   [[nodiscard]] PoseEstimate recover(Search& search);
   void seekLandmarks(Search& search);
   /// Pose by the corners of the last image alone, from the pose by the surface.

@@ -40,4 +40,8 @@ prints "a first frame of another place" "begins anew" "$program" scan late --out
 prints "the rest is tracked" '14 tracked' "$program" session show late.scan
 holds "the report advises" grep -q 'begins anew' late.scan/report.json
 
+succeeds "a device that tracks itself, in steps of 0.6 m" "$program" scan demo:corridor:device --stride 24 --frames 8 --out walk
+prints "all its frames are tracked" '8 tracked' "$program" session show walk
+holds "the report counts those by the device alone" grep -q '"by_device"' walk/report.json
+
 finish

@@ -1,6 +1,8 @@
 // PoseTracker with the poses of a device that tracks itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/synthetic/synthetic_source.h"
 #include "tests/kernels/tracking/tracking_test_support.h"
 #include "tests/support/each_device.h"
@@ -95,13 +97,14 @@ TEST(DeviceTracking, FollowsTheDevice_WhereAllIsNew) {
   const Eigen::Isometry3d there = pose(0, -75, 0, 0.05, 0, 0);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kKinect, kByDevice);
+    constexpr int kSecond = 30;  // frames
     ASSERT_TRUE(
         rig.show(cornerFrom(Eigen::Isometry3d::Identity(), Eigen::Isometry3d::Identity(), 0)).usable());
-    const PoseEstimate turned = rig.show(cornerFrom(there, there, 1));
+    const PoseEstimate turned = rig.show(cornerFrom(there, there, kSecond));
     EXPECT_TRUE(turned.usable());
     EXPECT_TRUE(turned.is_by_device);
     EXPECT_LT(distance_m(turned.T_world_camera, there), 1e-9);
-    const PoseEstimate again = rig.show(cornerFrom(there, there, 2));
+    const PoseEstimate again = rig.show(cornerFrom(there, there, 2 * kSecond));
     EXPECT_TRUE(again.usable());
     EXPECT_FALSE(again.is_by_device) << "the frame before is in the map";
   });
@@ -136,6 +139,20 @@ TEST(DeviceTracking, DoesNotBelieveAJumpOfTheDevice) {
       ASSERT_TRUE(found.usable()) << i;
       EXPECT_FALSE(found.is_by_device) << i;
       EXPECT_EQ(found.has_device_jumped, i == kJumpAt) << i;
+      EXPECT_LT(distance_m(found.T_world_camera, truth), 0.005) << i;
+    }
+  });
+}
+
+// The hand stops at once, which looks like a jump of the device.
+TEST(DeviceTracking, FollowsAJerkOfTheHand) {
+  onEachDevice([](ComputeContext& compute) {
+    TrackingRig rig(compute, kKinect, kByDevice);
+    for (int i = 0; i < 10; ++i) {
+      const double moved_m = 0.15 * std::min(i, 4);
+      const Eigen::Isometry3d truth = pose(0, 0, 0, moved_m, 0, 0);
+      const PoseEstimate found = rig.show(cornerFrom(truth, truth, i));
+      ASSERT_TRUE(found.usable()) << i;
       EXPECT_LT(distance_m(found.T_world_camera, truth), 0.005) << i;
     }
   });

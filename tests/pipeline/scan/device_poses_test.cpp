@@ -11,12 +11,13 @@
 namespace scantrove::test {
 namespace {
 
-/// A walk of 60 m through a corridor: 100 frames, five a second, 0.6 m apart.
+/// A walk of 30 m through a corridor: 50 frames, five a second, 0.6 m apart.
 SyntheticOptions hurriedCorridor() {
   SyntheticOptions options;
   options.recipe = synthetic::makeCorridorScene;
   options.K = {262.5F, 262.5F, 159.5F, 119.5F, 320, 240};
   options.color = false;
+  options.frames = 1200;
   options.stride = 24;
   options.frames_per_second = 5;
   options.device.emplace();
@@ -27,7 +28,7 @@ TEST(DevicePoses, KeepAllFramesOfACorridor) {
   const SyntheticOptions options = hurriedCorridor();
   SyntheticScan scan(options, {}, PoseUse::predicted);
   scan.run();
-  ASSERT_EQ(scan.frames.size(), 100U);
+  ASSERT_EQ(scan.frames.size(), 50U);
   synthetic::DevicePath device(*options.device, options.seed,
                                [&](int index) { return scan.source().pose(index); });
   std::vector<PosePair> by_device;
@@ -46,7 +47,7 @@ TEST(DevicePoses, KeepAllFramesOfACorridor) {
   RecordProperty("device_ate_m", std::to_string(device_error_m));
   RecordProperty("by_device_alone", std::to_string(alone));
   EXPECT_LT(scan.trajectoryError(), device_error_m + 0.1) << "the map adds no drift of its own";
-  EXPECT_LT(alone, 50) << "the map confirms most poses";
+  EXPECT_LT(alone, 25) << "the map confirms most poses";
 }
 
 ScanRequest requestOf(const std::string& source, const std::filesystem::path& folder, int frames,
@@ -80,7 +81,10 @@ std::string storedPosesOf(const std::filesystem::path& session) {
   EXPECT_TRUE(store) << store.error().message();
   if (!store) return {};
   const auto scan = (*store)->load();
-  const auto setup = scan ? setupFrom(scan->metadata) : fail("unreadable");
+  EXPECT_TRUE(scan) << scan.error().message();
+  if (!scan) return {};
+  const auto setup = setupFrom(scan->metadata);
+  EXPECT_TRUE(setup) << setup.error().message();
   return setup ? setup->poses : std::string();
 }
 
