@@ -126,7 +126,11 @@ PoseEstimate PoseTracker::trackByDevice(Search& search) {
   };
   if (!attempt.is_registered) registerAt(device.T_world_camera);
   // It may have been no jump but a jerk of the hand.
-  if (!attempt.by_surface.usable() && device.T_world_jumped) registerAt(*device.T_world_jumped);
+  if (!attempt.by_surface.usable() && device.T_world_jumped) {
+    const PoseEstimate without_jump = attempt.by_surface;
+    registerAt(*device.T_world_jumped);
+    if (!attempt.by_surface.usable()) attempt.by_surface = without_jump;
+  }
   PoseEstimate pose = attempt.by_surface;
   was_firm_ = pose.usable() && device.agrees(pose.T_world_camera, attempt.is_firm);
   if (!was_firm_) {

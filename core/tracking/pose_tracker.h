@@ -54,9 +54,9 @@ class PoseTracker {
     bool is_firm = false;                           ///< the surface determines the pose well
     std::optional<PoseEstimate> by_landmarks = {};  ///< pose by landmarks, registered against the map
     std::optional<DeviceMotion::Prediction> by_device = {};
-    bool is_registered =
-        false;            ///< by_surface is known; with a device, track() may have to view the map first
-    double readings = 0;  ///< part of the pixels with depth; known with a device
+    // With by_device:
+    bool is_registered = false;  ///< by_surface is known; else track() has to view the map first
+    double readings = 0;         ///< part of the pixels with depth
   };
   /// Begins with the frame after the last one of track() and addKeyFrame().
   [[nodiscard]] TrackingAttempt beginAttempt(const RgbdFrame& frame);
