@@ -72,7 +72,7 @@ class TemporaryFilesIn {
 class MemoryBudgetTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    unlimited_ = std::make_unique<SyntheticScan>(corridorOptions(), paramsWith(0), true);
+    unlimited_ = std::make_unique<SyntheticScan>(corridorOptions(), paramsWith(0), PoseUse::given);
     unlimited_->run();
     cloud_ = cloudOf(unlimited_->pipeline());
   }
