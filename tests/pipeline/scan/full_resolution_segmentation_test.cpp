@@ -13,7 +13,7 @@ using test::SyntheticScan;
 /// A scan of a row of books with a low working width, and every 6th of its frames in full resolution.
 class FullResolutionSegmentationTest : public testing::Test {
  protected:
-  FullResolutionSegmentationTest() : scan_(options(), params(), true) {
+  FullResolutionSegmentationTest() : scan_(options(), params(), PoseUse::given) {
     SyntheticOptions full_resolution = options();
     full_resolution.stride = 6;
     const auto source = makeSyntheticSource(full_resolution).value();
