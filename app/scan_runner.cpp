@@ -73,7 +73,8 @@ class Runner {
     if (const auto* failure = std::get_if<CatalogueFailed>(&event)) progress_.print(failure->error.message());
     if (const auto* failure = std::get_if<MapFailed>(&event)) progress_.print(failure->error.message());
     if (const auto* drifted = std::get_if<MapDrifted>(&event)) progress_.print(drifted->error.message());
-    if (const auto* advice = std::get_if<ScanAdvice>(&event)) progress_.print(advice->error.message());
+    const auto* advice = std::get_if<ScanAdvice>(&event);
+    if (advice != nullptr && !advice->proposed_units_per_meter) progress_.print(advice->error.message());
   }
 
   void enter(ScanState state) {

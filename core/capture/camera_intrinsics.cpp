@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/base/text_file.h"
+#include "core/capture/folder_listing.h"
 #include "core/capture/pose_files.h"
 
 namespace scantrove {
@@ -72,35 +73,11 @@ Result<Intrinsics> readProjection(const std::filesystem::path& file) {
   return Intrinsics{at(0, 0), at(1, 1), at(0, 2), at(1, 2), 0, 0};
 }
 
-/// The folder that has one of several camera files; without any, a list of all of them.
+/// The pose of a camera on its rig; identity without a file.
 Result<Eigen::Isometry3d> readPlace(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return Eigen::Isometry3d::Identity();
   return readPoseFile(file);
-}
-
-/// ScanNet's folder `intrinsic`.
-Result<CameraModel> readScannetIntrinsics(const std::filesystem::path& folder) {
-  CameraModel model;
-  SCANTROVE_TRY(moveInto(model.K, readProjection(folder / "intrinsic_depth.txt")));
-  std::error_code error;
-  if (!std::filesystem::exists(folder / "intrinsic_color.txt", error)) return model;
-  ColorCamera color;
-  SCANTROVE_TRY(moveInto(color.K, readProjection(folder / "intrinsic_color.txt")));
-  Eigen::Isometry3d T_rig_depth, T_rig_color;
-  SCANTROVE_TRY(moveInto(T_rig_depth, readPlace(folder / "extrinsic_depth.txt")));
-  SCANTROVE_TRY(moveInto(T_rig_color, readPlace(folder / "extrinsic_color.txt")));
-  color.T_color_depth = T_rig_color.inverse() * T_rig_depth;
-  model.color = ColorRegistration{color};
-  return model;
-}
-
-/// The parent folder.
-std::filesystem::path parentOf(const std::filesystem::path& folder) {
-  std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::absolute(folder, error).lexically_normal();
-  const std::filesystem::path& path = error ? folder : absolute;
-  return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
 }
 
 /// Finds `cam_K.txt` or ScanNet's files in `place`.
@@ -111,7 +88,7 @@ Result<std::optional<CameraModel>> findOtherIntrinsics(const std::filesystem::pa
     model = readIntrinsicsMatrix(file);
   } else if (const auto files = place / "intrinsic";
              std::filesystem::exists(files / "intrinsic_depth.txt", error)) {
-    model = readScannetIntrinsics(files);
+    model = readScannetIntrinsics(files, "intrinsic");
   } else {
     return std::optional<CameraModel>();
   }
@@ -199,6 +176,22 @@ Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
     return fail(file.string() + " is no Open3D camera: " + exception.what() + ".",
                 "Correct it, or give --intrinsics fx,fy,cx,cy.");
   }
+}
+
+Result<CameraModel> readScannetIntrinsics(const std::filesystem::path& folder, const std::string& prefix) {
+  CameraModel model;
+  SCANTROVE_TRY(moveInto(model.K, readProjection(folder / (prefix + "_depth.txt"))));
+  const std::filesystem::path color_file = folder / (prefix + "_color.txt");
+  std::error_code error;
+  if (!std::filesystem::exists(color_file, error)) return model;
+  ColorCamera color;
+  SCANTROVE_TRY(moveInto(color.K, readProjection(color_file)));
+  Eigen::Isometry3d T_rig_depth, T_rig_color;
+  SCANTROVE_TRY(moveInto(T_rig_depth, readPlace(folder / "extrinsic_depth.txt")));
+  SCANTROVE_TRY(moveInto(T_rig_color, readPlace(folder / "extrinsic_color.txt")));
+  color.T_color_depth = T_rig_color.inverse() * T_rig_depth;
+  model.color = ColorRegistration{color};
+  return model;
 }
 
 Result<std::optional<CameraModel>> findIntrinsics(const std::filesystem::path& folder) {

@@ -40,6 +40,11 @@ inline constexpr Intrinsics kPrimeSenseIntrinsics{525.0F, 525.0F, 319.5F, 239.5F
 /// three again and `T_color_depth` (sixteen values, row by row). Error: names the file.
 [[nodiscard]] Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file);
 
+/// Reads ScanNet's `PREFIX_depth.txt` (4x4), and `PREFIX_color.txt`, `extrinsic_depth.txt`,
+/// `extrinsic_color.txt` where present. Error: names the file.
+[[nodiscard]] Result<CameraModel> readScannetIntrinsics(const std::filesystem::path& folder,
+                                                        const std::string& prefix);
+
 /// Reads the first of these files: `camera-intrinsics.txt`, `intrinsic.json`, `camera_intrinsic.json`,
 /// `cam_K.txt` (3x3), ScanNet's `intrinsic/intrinsic_depth.txt` (4x4, with those of colour). Searches the
 /// recording's folder, then its parent for the last two (with a warning). Empty if none exists. Error: the

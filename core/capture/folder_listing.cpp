@@ -44,6 +44,13 @@ std::string folderName(const std::filesystem::path& folder) {
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
+std::filesystem::path parentOf(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(folder, error).lexically_normal();
+  const std::filesystem::path& path = error ? folder : absolute;
+  return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
+}
+
 std::string lowerCase(std::string_view text) {
   std::string result(text);
   std::transform(result.begin(), result.end(), result.begin(),

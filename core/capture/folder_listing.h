@@ -24,6 +24,9 @@ struct SevenScenesPart {
 /// The folder's name, also for paths that end in a slash or are ".".
 [[nodiscard]] std::string folderName(const std::filesystem::path& folder);
 
+/// The folder that contains `folder`, also for paths that end in a slash or are ".".
+[[nodiscard]] std::filesystem::path parentOf(const std::filesystem::path& folder);
+
 /// `text` in lower case (ASCII).
 [[nodiscard]] std::string lowerCase(std::string_view text);
 

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/color_camera.h"
+#include "core/capture/depth_plausibility.h"
 #include "core/capture/instance_name.h"
 #include "core/capture/intrinsics.h"
 #include "core/capture/rgbd_frame.h"
@@ -28,7 +29,8 @@ struct SourceInfo {
   /// Some frames have no colour image, because the device stores fewer of them than depth images.
   bool is_color_optional = false;
   bool has_poses = false;
-  PoseOrigin pose_origin = PoseOrigin::truth;  ///< where the source has poses
+  PoseOrigin pose_origin = PoseOrigin::truth;         ///< where the source has poses
+  std::optional<ImplausibleDepth> implausible_depth;  ///< of a recording: its depth scale seems wrong
   std::vector<InstanceName> instances;  ///< names of the masks in RgbdFrame::instances; empty without masks
 };
 

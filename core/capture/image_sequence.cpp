@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "core/capture/color_registration.h"
+#include "core/capture/depth_file.h"
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/pose_files.h"
 #include "core/capture/source_options.h"
 #include "core/image/image_file.h"
+#include "core/image/metric_depth.h"
 
 namespace scantrove {
 
@@ -43,7 +45,7 @@ Result<Images> readImages(const ImageSequenceEntry& entry, const ImageSequence& 
   if (entry.depth.empty() && !entry.decode_depth) return fail(missing("depth"));
   if (sequence.has_color && !sequence.is_color_optional && !has_color) return fail(missing("colour"));
   Images images;
-  SCANTROVE_TRY(moveInto(images.depth, decode(entry.decode_depth, entry.depth, readDepthImage)));
+  SCANTROVE_TRY(moveInto(images.depth, decode(entry.decode_depth, entry.depth, readAnyDepth)));
   if (sequence.has_color && has_color)
     SCANTROVE_TRY(moveInto(images.color, decode(entry.decode_color, entry.color, readColorImage)));
   if (!entry.confidence.empty() || entry.decode_confidence)
@@ -61,6 +63,19 @@ cv::Mat confidencesFrom(const cv::Mat& image, const std::array<int, 3>& values) 
   return confidences;
 }
 
+/// Units of a recording's depth images, and of its frames.
+struct DepthUnits {
+  double file_units_per_meter = 1000;
+  bool is_float = false;  ///< CV_32FC1; frames have 16 bits
+
+  [[nodiscard]] float metersPerUnit() const {
+    return static_cast<float>(1.0 / (is_float ? kMetricUnitsPerMeter : file_units_per_meter));
+  }
+  [[nodiscard]] cv::Mat storedDepth(const cv::Mat& depth) const {
+    return is_float ? toDepthUnits(depth / file_units_per_meter, metersPerUnit()) : depth;
+  }
+};
+
 /// Whether two intrinsics may be calibrations of one camera.
 bool isNear(const Intrinsics& a, const Intrinsics& b) {
   constexpr float kAgree_px = 3;
@@ -71,7 +86,7 @@ bool isNear(const Intrinsics& a, const Intrinsics& b) {
 class ImageSequenceSource final : public FrameSource {
  public:
   ImageSequenceSource(ImageSequence sequence, std::vector<std::size_t> selected, SourceInfo info,
-                      cv::Size color_size, std::optional<ColorCamera> color_camera, double meters_per_unit)
+                      cv::Size color_size, std::optional<ColorCamera> color_camera, DepthUnits units)
       : sequence_(std::move(sequence)),
         selected_(std::move(selected)),
         info_(std::move(info)),
@@ -80,7 +95,7 @@ class ImageSequenceSource final : public FrameSource {
         undistorter_(sequence_.camera.lens
                          ? std::optional(Undistorter(*sequence_.camera.lens, info_.intrinsics))
                          : std::nullopt),
-        meters_per_unit_(static_cast<float>(meters_per_unit)) {}
+        units_(units) {}
 
   const SourceInfo& info() const override { return info_; }
 
@@ -93,20 +108,19 @@ class ImageSequenceSource final : public FrameSource {
     const ImageSequenceEntry& entry = sequence_.entries[selected_[position_++]];
     read.frame.index = entry.index;
     read.frame.timestamp_s = entry.timestamp_s;
-    read.frame.meters_per_unit = meters_per_unit_;
+    read.frame.meters_per_unit = units_.metersPerUnit();
     Images images;
     if (const auto problem = readInto(images, read.frame.intrinsics, entry); !problem) {
       std::error_code error;
-      const bool is_gone = !std::filesystem::is_directory(sequence_.folder, error);
+      const bool is_gone = !std::filesystem::exists(sequence_.folder, error);
       read.status = is_gone ? FrameRead::Status::failed : FrameRead::Status::skipped;
-      read.error =
-          is_gone ? Error{"The folder " + sequence_.folder.string() + " is gone.", "Was a drive unplugged?"}
-                  : problem.error();
+      read.error = is_gone ? Error{sequence_.folder.string() + " is gone.", "Was a drive unplugged?"}
+                           : problem.error();
       return read;
     }
     read.status = FrameRead::Status::frame;
     read.frame.color = std::move(images.color);
-    read.frame.depth = std::move(images.depth);
+    read.frame.depth = units_.storedDepth(images.depth);
     read.frame.confidence = confidencesFrom(images.confidence, sequence_.confidences);
     read.frame.T_world_camera = poseOf(entry);
     read.frame.color_camera = color_camera_;
@@ -148,6 +162,11 @@ class ImageSequenceSource final : public FrameSource {
       return fail(entry.depth.string() + " is " + sizeText(images.depth.size()) + ", the first frame " +
                   sizeText(depth_size) + ".");
     }
+    if (units_.is_float != (images.depth.type() == CV_32FC1)) {
+      return fail("The depth of frame " + std::to_string(entry.index) + " is " +
+                  (units_.is_float ? "16-bit, that of the first frame floating-point."
+                                   : "floating-point, that of the first frame 16-bit."));
+    }
     if (!images.confidence.empty() && images.confidence.size() != images.depth.size()) {
       return fail("The confidence image of frame " + std::to_string(entry.index) + " is " +
                   sizeText(images.confidence.size()) + ", its depth image " + sizeText(images.depth.size()) +
@@ -174,7 +193,7 @@ class ImageSequenceSource final : public FrameSource {
   cv::Size color_size_;
   std::optional<ColorCamera> color_camera_;
   std::optional<Undistorter> undistorter_;
-  float meters_per_unit_;
+  DepthUnits units_;
   std::size_t position_ = 0;
 };
 
@@ -240,13 +259,17 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
         moveInto(color_camera, colorCameraFor(color, color_size, info.intrinsics, sequence.folder.string())));
   }
 
-  const double units_per_meter =
-      options.depth_scale.value_or(sequence.camera.units_per_meter.value_or(sequence.units_per_meter));
-  SCANTROVE_TRY(
-      checkDepthScale(units_per_meter, options.depth_scale ? "--depth-scale" : sequence.camera_origin));
-  warnOfImplausibleDepth(first->depth, 1.0 / units_per_meter, info.name);
+  // A scale in a camera file is that of 16-bit images; floating-point depth is in metres.
+  const bool is_float = first->depth.type() == CV_32FC1;
+  const DepthUnits units{
+      options.depth_scale.value_or(
+          is_float ? 1 : sequence.camera.units_per_meter.value_or(sequence.units_per_meter)),
+      is_float};
+  SCANTROVE_TRY(checkDepthScale(units.file_units_per_meter,
+                                options.depth_scale ? "--depth-scale" : sequence.camera_origin));
+  info.implausible_depth = warnOfImplausibleDepth(first->depth, units.file_units_per_meter, info.name);
   return std::make_unique<ImageSequenceSource>(std::move(sequence), std::move(*selected), std::move(info),
-                                               color_size, std::move(color_camera), 1.0 / units_per_meter);
+                                               color_size, std::move(color_camera), units);
 }
 
 }  // namespace scantrove

@@ -30,16 +30,16 @@ struct ImageSequenceEntry {
   std::optional<Eigen::Isometry3d> T_world_camera;
 };
 
-/// Contents of a recording folder; made by the one source file of its layout.
+/// Contents of a recording; made by the one source file of its layout.
 struct ImageSequence {
   std::string kind;
-  std::filesystem::path folder;
+  std::filesystem::path folder;             ///< or the file that holds all frames
   std::vector<ImageSequenceEntry> entries;  ///< in recording order
   CameraModel camera;                       ///< SourceOptions override it
   std::string camera_origin;                ///< for messages: the file, or "default"
-  double units_per_meter = 1000;            ///< SourceOptions override it
-  bool has_color = true;                    ///< false: depth only; else a frame without colour is skipped
-  bool is_color_optional = false;           ///< with colour: frames without it are depth only
+  double units_per_meter = 1000;   ///< of 16-bit depth; floats are metres. SourceOptions override both
+  bool has_color = true;           ///< false: depth only; else a frame without colour is skipped
+  bool is_color_optional = false;  ///< with colour: frames without it are depth only
   bool has_poses = false;
   PoseOrigin pose_origin = PoseOrigin::truth;
   /// Values of confidence images, from kLowConfidence to kHighConfidence: 0, 1, 2 or 0, 127, 255.
@@ -49,8 +49,9 @@ struct ImageSequence {
 
 /// Makes a source from the folder: selects the frames and decodes the first usable one, whose image size
 /// decides the intrinsics. A frame is skipped if an image is missing, damaged, of a wrong type, or differs in
-/// size from the first. An unusable pose leaves the frame without pose. Reading fails once the folder is
-/// gone. Error: bad options, no usable frame, colour that does not fit its registration.
+/// size or type from the first. Depth may have any type of readAnyDepth(); frames have 16 bits. An unusable
+/// pose leaves the frame without pose. Reading fails once the folder is gone. Error: bad options, no usable
+/// frame, colour that does not fit its registration.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence,
                                                                      const SourceOptions& options);
 

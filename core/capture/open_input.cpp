@@ -1,14 +1,14 @@
 #include "core/capture/open_input.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/capture/cameras.h"
+#include "core/capture/folder_formats.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/freenect_source.h"
-#include "core/capture/numbered_folder.h"
 #include "core/capture/openni_source.h"
-#include "core/capture/seven_scenes.h"
-#include "core/capture/tum_folder.h"
+#include "core/capture/sens_file.h"
 
 namespace scantrove {
 namespace {
@@ -16,8 +16,9 @@ namespace {
 using OpenedInput = Result<std::unique_ptr<FrameSource>>;
 
 constexpr const char* kKnownSources =
-    "Looked for a 7-Scenes folder (frame-000000.depth.png ...), a TUM RGB-D folder (depth.txt, rgb.txt), and "
-    "numbered images (depth/ beside color/, image/ or rgb/).";
+    "Looked for a 7-Scenes folder (frame-000000.depth.png ...), a TUM RGB-D folder (depth.txt, rgb.txt), "
+    "numbered images (depth/ beside color/, image/ or rgb/), and folders of BOP, ScanNet, Replica, ICL-NUIM, "
+    "SceneNN, BundleFusion and FoundationPose.";
 
 /// A 7-Scenes download contains its recordings in seq-01, seq-02, ...: the message says so.
 std::string recordingInside(const std::filesystem::path& folder, const std::vector<std::string>& names) {
@@ -39,15 +40,8 @@ OpenedInput openFolder(const std::filesystem::path& folder, const SourceOptions&
   if (!names) {
     return fail(names.error());
   }
-  if (isSevenScenesFolder(*names)) {
-    return openSevenScenes(folder, *names, options);
-  }
-  if (isTumFolder(*names)) {
-    return openTumFolder(folder, options);
-  }
-  if (isNumberedFolder(folder)) {
-    return openNumberedFolder(folder, options);
-  }
+  if (const FolderFormat* const format = findFolderFormat(folder, *names))
+    return format->open(folder, *names, options);
   return fail(names->empty() ? "The folder " + folder.string() + " is empty."
                              : "The folder " + folder.string() + " is not a recording in a supported format.",
               kKnownSources + recordingInside(folder, *names));
@@ -57,9 +51,10 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) {
-    return fail("There is no " + path.string() + ".",
-                "Give a recording's folder, an .oni file, `camera`, `camera:URI`, `freenect`, `demo` or "
-                "`demo:room`.");
+    return fail(
+        "There is no " + path.string() + ".",
+        "Give a recording's folder, an .oni or .sens file, `camera`, `camera:URI`, `freenect`, `demo` or "
+        "`demo:room`.");
   }
   if (error) {
     return fail("Cannot open " + path.string() + ": " + error.message() + ".",
@@ -68,11 +63,13 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
   if (status.type() == std::filesystem::file_type::directory) {
     return openFolder(path, options);
   }
-  if (lowerCase(path.extension().string()) == ".oni") {
-    return openOniRecording(path, options);
-  }
-  return fail(path.string() + " is not a recording in a supported format.",
-              "Files: .oni. Folders: 7-Scenes, TUM RGB-D, numbered colour and depth images.");
+  const std::string extension = lowerCase(path.extension().string());
+  if (extension == ".oni") return openOniRecording(path, options);
+  if (extension == ".sens") return openSensFile(path, options);
+  return fail(
+      path.string() + " is not a recording in a supported format.",
+      "Files: .oni, .sens. Folders: 7-Scenes, TUM RGB-D, numbered colour and depth images, and those of "
+      "benchmarks (see docs/devices-benchmarks.md).");
 }
 
 }  // namespace
@@ -83,7 +80,8 @@ bool isCameraName(const std::string& source) {
 
 Result<bool> isRecordingFolder(const std::filesystem::path& folder) {
   return listFolder(folder).map([&](const std::vector<std::string>& names) {
-    return isSevenScenesFolder(names) || isTumFolder(names) || isNumberedFolder(folder);
+    return std::ranges::any_of(folderFormats(),
+                               [&](const FolderFormat& format) { return format.fits(folder, names); });
   });
 }
 

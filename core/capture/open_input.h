@@ -12,10 +12,10 @@ namespace scantrove {
 /// (a Kinect v1).
 [[nodiscard]] bool isCameraName(const std::string& source);
 
-/// Whether `folder` is a 7-Scenes, TUM or numbered-images folder. Error: it cannot be listed.
+/// Whether `folder` is a recording (see folder_formats.h). Error: it cannot be listed.
 [[nodiscard]] Result<bool> isRecordingFolder(const std::filesystem::path& folder);
 
-/// Opens a camera, an .oni file or a recording's folder, detecting its type. Error: names the path, the
+/// Opens a camera, an .oni or .sens file or a recording's folder, detecting its type. Error: names the path, the
 /// formats that were tried, and what to do.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openInput(const std::string& source,
                                                              const SourceOptions& options);

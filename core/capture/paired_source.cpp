@@ -113,7 +113,7 @@ FrameRead PairedSource::makeFrame(const StreamImage& depth) {
     read.frame.color_camera = *setup_.color_camera;
   }
   if (!setup_.info.is_live && read.frame.index == options_.start) {
-    warnOfImplausibleDepth(read.frame.depth, setup_.meters_per_unit, setup_.info.name);
+    warnOfImplausibleDepth(read.frame.depth, 1.0 / setup_.meters_per_unit, setup_.info.name);
   }
   return read;
 }

@@ -6,6 +6,7 @@
 #include "core/base/stamped_pose.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_sequence.h"
+#include "core/capture/rig_info.h"
 
 namespace scantrove {
 
@@ -31,12 +32,38 @@ bool isOwnCamera(Intrinsics K) {
   return K == kOwnIntrinsics;
 }
 
+/// PGM: 3RScan.
+bool isDepthSuffix(std::string_view suffix) { return suffix == "depth.png" || suffix == "depth.pgm"; }
+
+/// The camera of a file in the folder, else the data set's own.
+Result<void> chooseKinect(ImageSequence& sequence, const SourceOptions& options) {
+  if (const auto info = findRigInfo(sequence.folder)) {
+    auto model = readRigInfo(*info);
+    if (!model && !options.intrinsics) return fail(model.error());
+    sequence.kind = info->filename() == "info.txt" ? "BundleFusion" : "3RScan";
+    sequence.camera = model.value_or(CameraModel{kOwnIntrinsics, std::nullopt});
+    sequence.camera_origin = info->string();
+    return {};
+  }
+  auto camera = findIntrinsics(sequence.folder);
+  if (!camera && !options.intrinsics) return fail(camera.error());
+  const bool is_known = camera && *camera;
+  sequence.camera = is_known ? **camera : CameraModel{kOwnIntrinsics, std::nullopt};
+  sequence.camera_origin = is_known ? (sequence.folder / "camera-intrinsics.txt").string() : "7-Scenes' own";
+  // Folders of other cameras in the same layout count as registered.
+  const bool is_given = !is_known && options.intrinsics;
+  if (isOwnCamera(is_given ? *options.intrinsics : sequence.camera.K)) {
+    sequence.color.camera = ownColorCamera();
+  }
+  return {};
+}
+
 }  // namespace
 
 bool isSevenScenesFolder(const std::vector<std::string>& names) {
   return std::any_of(names.begin(), names.end(), [](const std::string& name) {
     const auto part = sevenScenesPart(name);
-    return part && part->suffix == "depth.png";
+    return part && isDepthSuffix(part->suffix);
   });
 }
 
@@ -53,7 +80,7 @@ Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path
     if (!part) {
       continue;
     }
-    if (part->suffix == "depth.png") {
+    if (isDepthSuffix(part->suffix)) {
       entries[part->number].depth = folder / name;
     } else if (part->suffix == "pose.txt") {
       entries[part->number].pose_file = folder / name;
@@ -73,18 +100,7 @@ Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path
     entry.timestamp_s = number / kFrameRateHz;
     sequence.entries.push_back(std::move(entry));
   }
-  auto camera = findIntrinsics(folder);
-  if (!camera && !options.intrinsics) {
-    return fail(camera.error());
-  }
-  const bool is_known = camera && *camera;
-  sequence.camera = is_known ? **camera : CameraModel{kOwnIntrinsics, std::nullopt};
-  sequence.camera_origin = is_known ? (folder / "camera-intrinsics.txt").string() : "7-Scenes' own";
-  // Folders of other cameras in the same layout count as registered.
-  const bool is_given = !is_known && options.intrinsics;
-  if (isOwnCamera(is_given ? *options.intrinsics : sequence.camera.K)) {
-    sequence.color.camera = ownColorCamera();
-  }
+  SCANTROVE_TRY(chooseKinect(sequence, options));
   return openImageSequence(std::move(sequence), options);
 }
 

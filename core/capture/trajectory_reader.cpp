@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/capture/folder_listing.h"
+#include "core/capture/icl_nuim.h"
 #include "core/capture/pose_files.h"
 #include "core/capture/recorded_poses.h"
 #include "core/capture/time_unit.h"
@@ -38,8 +39,20 @@ Result<Trajectory> readTimedLines(const fs::path& file) {
   return poses;
 }
 
+/// ICL-NUIM's poses, which count frames, as the recording has them.
+Result<Trajectory> readFramePoses(const fs::path& file) {
+  const auto numbered = readIclNuimPoses(file, true);
+  if (!numbered) return fail(numbered.error());
+  Trajectory poses;
+  for (const NumberedPose& pose : *numbered)
+    poses.push_back({pose.number / kFrameRateHz, pose.T_world_camera});
+  return poses;
+}
+
 Result<Trajectory> readPoses(const fs::path& file) {
-  Result<Trajectory> poses = file.extension() == ".log" ? readLog(file) : readTimedLines(file);
+  Result<Trajectory> poses = file.extension() == ".log"        ? readLog(file)
+                             : file.extension() == ".freiburg" ? readFramePoses(file)
+                                                               : readTimedLines(file);
   if (poses && poses->empty()) {
     return fail("There is no pose in " + file.string() + ".");
   }
@@ -71,6 +84,7 @@ Result<Trajectory> readFolder(const fs::path& folder) {
   if (!names) {
     return fail(names.error());
   }
+  if (const auto name = iclNuimPoseFile(*names)) return readPoses(folder / *name);
   for (const char* const name : {"groundtruth.txt", "trajectory.txt", "trajectory.log"}) {
     if (std::ranges::count(*names, name) > 0) {
       return readPoses(folder / name);

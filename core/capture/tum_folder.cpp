@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kPairTolerance_s = 0.02;
 constexpr double kTumUnitsPerMeter = 5000;
+constexpr const char* kBonnKind = "Bonn RGB-D";
 /// TUM's calibrations; the third camera's recordings are already undistorted.
 struct FreiburgCamera {
   Intrinsics K;
@@ -30,6 +31,10 @@ constexpr std::array<FreiburgCamera, 3> kFreiburg = {
     {{{517.3F, 516.5F, 318.6F, 255.3F, 640, 480}, LensDistortion{0.2624, -0.9531, -0.0054, 0.0026, 1.1633}},
      {{520.9F, 521.0F, 325.1F, 249.7F, 640, 480}, LensDistortion{0.2312, -0.7849, -0.0033, -0.0001, 0.9172}},
      {{535.4F, 539.2F, 320.1F, 247.6F, 640, 480}, std::nullopt}}};
+
+/// The camera of the Bonn RGB-D Dynamic data set, from its page.
+constexpr FreiburgCamera kBonn{{542.822841F, 542.576870F, 315.593520F, 237.756098F, 640, 480},
+                               LensDistortion{0.039903, -0.099343, -0.000730, -0.000144, 0}};
 
 /// Contents of `rgb.txt` or `depth.txt`.
 struct ImageList {
@@ -104,6 +109,18 @@ void chooseFreiburgCamera(ImageSequence& sequence, const std::string& comments, 
   sequence.camera_origin = "TUM freiburg" + std::to_string(chosen + 1);
 }
 
+/// Whether a text names the Bonn data set.
+bool isOfBonn(const std::string& text) { return lowerCase(text).find("rgbd_bonn") != std::string::npos; }
+
+/// The ground truth of the Bonn data set is that of markers on the camera, in other axes.
+void dropMarkerPoses(ImageSequence& sequence) {
+  if (!sequence.has_poses) return;
+  sequence.has_poses = false;
+  for (ImageSequenceEntry& entry : sequence.entries) entry.T_world_camera.reset();
+  spdlog::info("{}: its groundtruth.txt has the poses of markers, not of the camera; it is not used here.",
+               folderName(sequence.folder));
+}
+
 /// The camera of a file in the folder, else the TUM camera that a name mentions.
 Result<void> chooseCamera(ImageSequence& sequence, const std::string& comments, bool is_given) {
   auto camera = findIntrinsics(sequence.folder);
@@ -111,6 +128,9 @@ Result<void> chooseCamera(ImageSequence& sequence, const std::string& comments, 
   if (camera && *camera) {
     sequence.camera = **camera;
     sequence.camera_origin = "from the file of " + sequence.folder.string();
+  } else if (sequence.kind == kBonnKind) {
+    sequence.camera = CameraModel{.K = kBonn.K, .units_per_meter = {}, .color = {}, .lens = kBonn.lens};
+    sequence.camera_origin = "the Bonn data set's";
   } else {
     chooseFreiburgCamera(sequence, comments, is_given);
   }
@@ -205,8 +225,12 @@ Result<std::unique_ptr<FrameSource>> openTumFolder(const std::filesystem::path& 
   sequence.entries = std::move(*entries);
   nameUnits(folder, *depth, color);
   SCANTROVE_TRY(addPoses(sequence, depth->unit));
-  SCANTROVE_TRY(chooseCamera(sequence, depth->comments + (color ? color->comments : ""),
-                             options.intrinsics.has_value()));
+  const std::string comments = depth->comments + (color ? color->comments : "");
+  if (isOfBonn(folderName(folder) + comments)) {
+    sequence.kind = kBonnKind;
+    dropMarkerPoses(sequence);
+  }
+  SCANTROVE_TRY(chooseCamera(sequence, comments, options.intrinsics.has_value()));
   return openImageSequence(std::move(sequence), options);
 }
 

@@ -15,7 +15,8 @@ namespace scantrove {
 /// 0.02 s; `groundtruth.txt` gives poses where present. Without `rgb.txt` depth only. Index = position among
 /// the pairs, timestamp = the depth image's. Milli-, micro- and nanoseconds are recognised by their spacing
 /// (see time_unit.h), with a warning. Intrinsics come from a file (see findIntrinsics), else from the camera
-/// named in the folder's name or the lists' comments (freiburg1, 2, 3).
+/// named in the folder's name or the lists' comments (freiburg1, 2, 3, or the Bonn data set, whose ground
+/// truth is that of markers and gives no poses).
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openTumFolder(const std::filesystem::path& folder,
                                                                  const SourceOptions& options);
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -61,6 +62,9 @@ struct MapDrifted {
 };  ///< the camera revisits a place at a different position in the map, which contains it twice
 struct ScanAdvice {
   Error error;
+  /// Only for a depth scale that seems wrong: units per metre that would be plausible. The log has it
+  /// already.
+  std::optional<double> proposed_units_per_meter = {};
 };  ///< a problem of the whole scan that the user can fix; the scan goes on
 /// An operation took effect, and is on disk if the scan has a session.
 struct Edited {

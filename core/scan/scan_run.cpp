@@ -8,6 +8,7 @@
 
 #include "core/base/first_error.h"
 #include "core/base/overloaded.h"
+#include "core/capture/depth_plausibility.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
 #include "core/refinement/continued_background.h"
@@ -36,6 +37,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanL
   run->tally_.emplace(parts.earlier_frames);
   run->advisor_.emplace(parts.request.params.fusion.max_depth_m);
   if (!request.pictures) snapshots.omitPictures();
+  run->adviseOnDepthScale();
   snapshots.setLabels({[&parts] { return parts.objects->labels(); },
                        [&parts](SeenObject& seen) { parts.objects->collector().objects().describe(seen); }});
   if (request.refine_session) snapshots.addBricks(parts.pipeline->readout().allBricks());
@@ -128,6 +130,14 @@ Result<void> ScanRun::restartIfMisled(int frame_index) {
 void ScanRun::advise(const Error& advice) {
   advice_.push_back(advice.message());
   listener_(ScanAdvice{advice});
+}
+
+void ScanRun::adviseOnDepthScale() {
+  const SourceInfo& info = parts_.source->info();
+  if (!info.implausible_depth) return;
+  const Error advice = describe(*info.implausible_depth, info.name);
+  advice_.push_back(advice.message());
+  listener_(ScanAdvice{advice, info.implausible_depth->proposed_units_per_meter});
 }
 
 void ScanRun::keepFrame(const RgbdFrame& frame, const FrameResult& result) {

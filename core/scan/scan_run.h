@@ -79,6 +79,8 @@ class ScanRun {
   /// Passes the effect of joins on objects to the session (ScanJoins). Requires a recorder.
   void keepJoins();
   void advise(const Error& advice);
+  /// Advises on a depth scale that seems wrong.
+  void adviseOnDepthScale();
   /// Replaces a young map that misled tracking by a new one, if it has no objects and no edits.
   [[nodiscard]] Result<void> restartIfMisled(int frame_index);
   /// Marks new supports that continue background (ContinuedBackground), so that a person marks a table or

@@ -88,6 +88,12 @@ void ScanController::open(const QString& source, const SourceOptions& options, S
   begin();
 }
 
+void ScanController::reopenWithDepthScale(double units_per_meter) {
+  if (!hasSource()) return;
+  request_.source_options.depth_scale = units_per_meter;
+  begin();
+}
+
 void ScanController::start() {
   if (bridge_.state() == ScanState::paused) {
     setPaused(false);

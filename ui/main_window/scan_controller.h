@@ -23,6 +23,8 @@ class ScanController : public QObject {
   /// Opens a source and starts scanning; a folder with a saved scan is opened by openSession().
   void open(const QString& source, const SourceOptions& options = {},
             ScanRequest::Poses poses = ScanRequest::Poses::automatic);
+  /// Scans the current source anew with another depth scale, and as before otherwise.
+  void reopenWithDepthScale(double units_per_meter);
   /// Opens the session of an earlier scan for review and edits.
   void openSession(const QString& folder);
   /// Does the missing refinement of the open session.

@@ -37,7 +37,7 @@ ScanDisplay::ScanDisplay(MainWindow& window) : QObject(&window), window_(window)
   bridge.on<CatalogueFailed>(this, warn);
   bridge.on<MapFailed>(this, warn);
   bridge.on<MapDrifted>(this, warn);
-  bridge.on<ScanAdvice>(this, warn);
+  bridge.on<ScanAdvice>(this, [this](const ScanAdvice& advice) { showAdvice(advice); });
   bridge.on<ObjectAdded>(this, [this](const ObjectAdded& added) { window_.model().markAdded(added.object); });
   bridge.on<ObjectRecognized>(
       this, [this](const ObjectRecognized& known) { window_.model().markRecognized(known.object); });
@@ -96,6 +96,16 @@ void ScanDisplay::showState(ScanState state) {
   parts_.progress->showState(state);
   parts_.scene->view()->drawing().setScanning(state == ScanState::scanning);
   parts_.actions->enableFor(state, window_.controller().hasSource());
+}
+
+void ScanDisplay::showAdvice(const ScanAdvice& advice) {
+  if (!advice.proposed_units_per_meter)
+    return parts_.messages->show(MessageBar::Kind::warning, QString::fromStdString(advice.error.message()));
+  const double units_per_meter = *advice.proposed_units_per_meter;
+  parts_.messages->show(MessageBar::Kind::warning, QString::fromStdString(advice.error.message()),
+                        tr("Use %1 units per metre").arg(units_per_meter), [this, units_per_meter] {
+                          window_.controller().reopenWithDepthScale(units_per_meter);
+                        });
 }
 
 void ScanDisplay::scanFailed(const ScanFailed& event) {

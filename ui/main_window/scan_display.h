@@ -22,6 +22,7 @@ class ScanDisplay : public QObject {
   void begin(const QString& source);
   void showSnapshot(const std::shared_ptr<const ScanSnapshot>& collected);
   void showState(ScanState state);
+  void showAdvice(const ScanAdvice& advice);
   void scanFailed(const ScanFailed& event);
 
   MainWindow& window_;

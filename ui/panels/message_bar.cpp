@@ -2,14 +2,17 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
+#include <utility>
 
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
 namespace scantrove {
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent), picture_(new QLabel), label_(new QLabel) {
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), picture_(new QLabel), label_(new QLabel), button_(new QPushButton) {
   setObjectName(QStringLiteral("messageBar"));
   label_->setObjectName(QStringLiteral("messageText"));
   label_->setWordWrap(true);
@@ -26,13 +29,34 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), picture_(new QLabel), 
   layout->setSpacing(10);
   layout->addWidget(picture_, 0, Qt::AlignTop);
   layout->addWidget(label_, 1);
+  layout->addWidget(button_, 0, Qt::AlignTop);
   layout->addWidget(close, 0, Qt::AlignTop);
+  button_->setObjectName(QStringLiteral("messageButton"));
+  button_->hide();
+  connect(button_, &QPushButton::clicked, this, [this] {
+    const auto act = std::exchange(act_, {});
+    dismiss();
+    if (act) act();
+  });
   connect(&Theme::instance(), &Theme::changed, this, &MessageBar::paintKind);
   hide();
 }
 
 void MessageBar::show(Kind kind, const QString& text) {
-  if (isVisibleTo(parentWidget()) && kind_ == Kind::error && kind != Kind::error) return;
+  if (!showText(kind, text)) return;
+  button_->hide();
+  act_ = {};
+}
+
+void MessageBar::show(Kind kind, const QString& text, const QString& button_text, std::function<void()> act) {
+  if (!showText(kind, text)) return;
+  button_->setText(button_text);
+  button_->show();
+  act_ = std::move(act);
+}
+
+bool MessageBar::showText(Kind kind, const QString& text) {
+  if (isVisibleTo(parentWidget()) && kind_ == Kind::error && kind != Kind::error) return false;
   repeats_ = isVisibleTo(parentWidget()) && text == text_ ? repeats_ + 1 : 1;
   kind_ = kind;
   text_ = text;
@@ -40,6 +64,7 @@ void MessageBar::show(Kind kind, const QString& text) {
   setAccessibleName(text);
   paintKind();
   QFrame::show();
+  return true;
 }
 
 void MessageBar::dismiss() {
