@@ -38,7 +38,10 @@ void ScanOptions::addSourceTo(CLI::App& command) {
   command.add_option("--stride", stride, "use every N-th frame")->transform(wholeNumber(1))->type_name("N");
   command.add_option("--intrinsics", intrinsics, "camera in pixels, for folders that do not give it")
       ->type_name("fx,fy,cx,cy");
-  command.add_option("--depth-scale", depth_scale, "depth units per metre, for folders that do not give it")
+  command
+      .add_option(
+          "--depth-scale", depth_scale,
+          "depth units per metre, for folders that do not give it; for floating-point depth 1 is metres")
       ->check(above(0))
       ->type_name("S");
   command

@@ -17,7 +17,7 @@ std::string checkSource(const std::string& source) {
     return {};
   return "'" + source +
          "' is neither a command nor something to open (a folder of a recording or of a saved scan, an .oni "
-         "file, demo, camera, freenect)";
+         "or .sens file, demo, camera, freenect)";
 }
 
 /// "1400x900"

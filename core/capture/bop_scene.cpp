@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -111,11 +112,14 @@ Result<void> addBopCameras(ImageSequence& sequence, const std::map<int, BopCamer
   sequence.camera = CameraModel{first.K, std::nullopt};
   sequence.camera_origin = file;
   sequence.units_per_meter = first.units_per_meter;
+  const bool is_changing = std::ranges::any_of(sequence.entries, [&](const ImageSequenceEntry& entry) {
+    return !isSameLens(cameras.at(entry.index).K, first.K);
+  });
   for (ImageSequenceEntry& entry : sequence.entries) {
     const BopCamera& camera = cameras.at(entry.index);
     entry.T_world_camera = camera.T_world_camera;
     sequence.has_poses = sequence.has_poses || camera.T_world_camera;
-    if (size && !isSameLens(camera.K, first.K))
+    if (size && is_changing)
       entry.intrinsics = fitToImages({camera.K, std::nullopt}, size->width, size->height);
     if (camera.units_per_meter != first.units_per_meter)
       entry.decode_depth = decoderInUnits(entry.depth, first.units_per_meter / camera.units_per_meter);
@@ -138,7 +142,8 @@ std::optional<std::filesystem::path> findBopScene(const std::filesystem::path& f
   std::optional<std::filesystem::path> scene;
   const auto names = listFolder(folder);
   for (const std::string& name : names.value_or(std::vector<std::string>())) {
-    if (!isBopScene(folder / name)) continue;
+    const bool may_be_folder = name.find('.') == std::string::npos;  // looking at every image takes long
+    if (!may_be_folder || !isBopScene(folder / name)) continue;
     if (scene) return std::nullopt;
     scene = folder / name;
   }

@@ -24,7 +24,7 @@ void WindowDialogs::openFolder() {
 }
 
 void WindowDialogs::openRecording() {
-  const QString file = chooseFile(&window_, tr("Recording"), tr("OpenNI recordings (*.oni)"));
+  const QString file = chooseFile(&window_, tr("Recording"), tr("Recordings (*.oni *.sens)"));
   if (!file.isEmpty()) window_.open(file);
 }
 

@@ -113,9 +113,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     cards->addWidget(card, row, column_index);
     return card;
   };
-  connect(add(0, 0, "folder", tr("Open folder…"), tr("7-Scenes, TUM, numbered images")),
+  connect(add(0, 0, "folder", tr("Open folder…"), tr("7-Scenes, TUM, ScanNet, BOP, numbered images")),
           &QToolButton::clicked, this, &StartPage::folderRequested);
-  connect(add(0, 1, "recording", tr("Open recording…"), tr("An OpenNI file (.oni)")), &QToolButton::clicked,
+  connect(add(0, 1, "recording", tr("Open recording…"), tr("One file: .oni, .sens")), &QToolButton::clicked,
           this, &StartPage::recordingRequested);
   connect(add(1, 0, "camera", tr("Camera…"), tr("A depth camera on this computer")), &QToolButton::clicked,
           this, &StartPage::cameraRequested);

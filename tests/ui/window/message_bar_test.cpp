@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QPushButton>
 
 #include "ui/panels/message_bar.h"
 
@@ -20,6 +21,25 @@ TEST(MessageBar, CountsRepetitionsAndKeepsErrors) {
   EXPECT_EQ(bar.text(), QStringLiteral("The disk is full."));
   bar.dismiss();
   EXPECT_TRUE(bar.isHidden());
+}
+
+TEST(MessageBar, OffersAnAction_UntilTheNextMessage) {
+  QWidget parent;
+  MessageBar bar(&parent);
+  auto* const button = bar.findChild<QPushButton*>(QStringLiteral("messageButton"));
+  ASSERT_NE(button, nullptr);
+  int calls = 0;
+  bar.show(MessageBar::Kind::warning, QStringLiteral("The depth scale seems wrong."),
+           QStringLiteral("Use 10000 units per metre"), [&calls] { ++calls; });
+  EXPECT_FALSE(button->isHidden());
+  EXPECT_EQ(button->text(), QStringLiteral("Use 10000 units per metre"));
+  button->click();
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(bar.isHidden());
+  bar.show(MessageBar::Kind::warning, QStringLiteral("Frame 3 cannot be read."));
+  EXPECT_TRUE(button->isHidden());
+  button->click();
+  EXPECT_EQ(calls, 1);
 }
 
 }  // namespace

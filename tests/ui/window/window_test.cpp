@@ -106,6 +106,22 @@ TEST_F(WindowTest, MissingPathIsReported_AndAnotherSourceOpens) {
   EXPECT_TRUE(recentSources().contains(QStringLiteral("demo")));
 }
 
+TEST_F(WindowTest, ScansAnewWithTheProposedDepthScale_WhenItsButtonIsClicked) {
+  SourceOptions options;
+  options.stride = 3;
+  window_->controller().open(QStringLiteral("/somewhere/recording"), options);
+  worker_->report(ScanAdvice{{"The median depth is 18 m.", "Give --depth-scale 10000."}, 10000});
+  auto* const button = window_->parts().messages->findChild<QPushButton*>(QStringLiteral("messageButton"));
+  ASSERT_NE(button, nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button->isVisible(); }, 3000));
+  EXPECT_EQ(button->text(), QStringLiteral("Use 10000 units per metre"));
+  button->click();
+  EXPECT_EQ(worker_->last_request.source, "/somewhere/recording");
+  EXPECT_EQ(worker_->last_request.source_options.depth_scale, 10000);
+  EXPECT_EQ(worker_->last_request.source_options.stride, 3);
+  EXPECT_FALSE(window_->parts().messages->isVisible());
+}
+
 TEST_F(WindowTest, RemovesTheEmptyFolder_WhenOpeningFails) {
   const auto scans = [] {
     return QDir(ScanController::sessionsFolder()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
