@@ -21,8 +21,8 @@ enum class PoseOrigin {
 /// Properties of an open source.
 struct SourceInfo {
   std::string name;  ///< to display: the folder's name, the camera's name
-  std::string kind;  ///< "7-Scenes", "TUM RGB-D", "BOP", "numbered images", "OpenNI2 camera", "OpenNI2 recording",
-                     ///< "libfreenect camera", "synthetic"
+  std::string kind;  ///< "7-Scenes", "TUM RGB-D", "BOP", "numbered images", "OpenNI2 camera", "OpenNI2
+                     ///< recording", "libfreenect camera", "synthetic"
   Intrinsics intrinsics;
   std::optional<int> frame_count;  ///< frames that next() will return in total; empty for a live camera
   bool is_live = false;

@@ -5,7 +5,7 @@
 #include "core/capture/open_input.h"
 #include "core/capture/trajectory_reader.h"
 #include "tests/support/captured_log.h"
-#include "tests/unit/capture/tiny_recordings.h"
+#include "tests/unit/capture/benchmark_folder.h"
 
 namespace scantrove {
 namespace {
@@ -13,19 +13,6 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using Status = FrameRead::Status;
-
-std::unique_ptr<FrameSource> openBenchmark(const std::filesystem::path& path,
-                                           const SourceOptions& options = {}) {
-  auto source = openSource(path.string(), options);
-  if (source) return std::move(*source);
-  ADD_FAILURE() << source.error().message();
-  return nullptr;
-}
-
-std::string matrixText(double x, double y = 0) {
-  return "1 0 0 " + std::to_string(x) + "\n0 1 0 " + std::to_string(y) + "\n0 0 1 0\n0 0 0 1\n";
-}
 
 /// Eleven frames, so that names without leading zeros sort differently as text.
 void writeScannet(const TemporaryFolder& folder) {
@@ -134,84 +121,6 @@ TEST(ReplicaFolder, AsksForTheCamera_WhenImagesHaveAnotherSize) {
   const TemporaryFolder folder;
   writeReplica(folder, 3);
   EXPECT_THAT(openError(folder / "room0"), AllOf(HasSubstr("64x48"), HasSubstr("--intrinsics")));
-}
-
-/// scene_camera.json of frames 0 and 7, whose lens and unit differ.
-constexpr const char* kBopCameras = R"({
-  "0": {"cam_K": [60, 0, 31.5, 0, 61, 23.5, 0, 0, 1], "depth_scale": 0.1,
-        "cam_R_w2c": [0, -1, 0, 1, 0, 0, 0, 0, 1], "cam_t_w2c": [100, 200, 300]},
-  "7": {"cam_K": [62, 0, 31.5, 0, 63, 23.5, 0, 0, 1], "depth_scale": 0.2}})";
-
-void writeBop(const TemporaryFolder& folder) {
-  for (const int i : {0, 7}) {
-    writeImage(folder / numbered("000003/rgb/%06d.png", i), tinyColor(i));
-    writeImage(folder / numbered("000003/depth/%06d.png", i), tinyDepth(15000));
-  }
-  folder.write("000003/scene_camera.json", kBopCameras);
-}
-
-TEST(BopScene, ReadsCamerasUnitsAndPosesOfFrames) {
-  const TemporaryFolder folder;
-  writeBop(folder);
-  for (const std::filesystem::path& path : {folder / "000003", folder.path()}) {
-    const auto source = openBenchmark(path);
-    ASSERT_TRUE(source) << path;
-    EXPECT_EQ(source->info().kind, "BOP");
-    EXPECT_EQ(source->info().intrinsics, (Intrinsics{60, 61, 31.5F, 23.5F, 64, 48}));
-    const auto reads = readAll(*source);
-    ASSERT_EQ(reads.size(), 2U);
-    EXPECT_EQ(reads[1].frame.index, 7);
-    const auto depth_m = [&](std::size_t i) {
-      return reads[i].frame.depth.at<std::uint16_t>(5, 5) *
-             static_cast<double>(reads[i].frame.meters_per_unit);
-    };
-    EXPECT_NEAR(depth_m(0), 1.5, 1e-5);
-    EXPECT_NEAR(depth_m(1), 3, 1e-5);
-    ASSERT_TRUE(reads[0].frame.intrinsics);
-    EXPECT_EQ(*reads[0].frame.intrinsics, source->info().intrinsics);
-    ASSERT_TRUE(reads[1].frame.intrinsics);
-    EXPECT_EQ(*reads[1].frame.intrinsics, (Intrinsics{62, 63, 31.5F, 23.5F, 64, 48}));
-    // x_camera = R x_world + t: the camera is at -R^T t.
-    ASSERT_TRUE(reads[0].frame.T_world_camera);
-    EXPECT_TRUE(
-        reads[0].frame.T_world_camera->translation().isApprox(Eigen::Vector3d(-0.2, 0.1, -0.3), 1e-9));
-    EXPECT_TRUE((*reads[0].frame.T_world_camera * Eigen::Vector3d::UnitX() -
-                 reads[0].frame.T_world_camera->translation())
-                    .isApprox(-Eigen::Vector3d::UnitY(), 1e-9));
-    EXPECT_FALSE(reads[1].frame.T_world_camera);
-  }
-}
-
-TEST(BopScene, NamesAScene_WhenThereAreSeveral) {
-  const TemporaryFolder folder;
-  writeBop(folder);
-  std::filesystem::copy(folder / "000003", folder / "000004", std::filesystem::copy_options::recursive);
-  EXPECT_THAT(openError(folder.path()), HasSubstr((folder / "000003").string()));
-}
-
-TEST(BopScene, LeavesOutImagesWithoutCamera_AndNamesABrokenOne) {
-  const TemporaryFolder folder;
-  writeBop(folder);
-  writeImage(folder / "000003/rgb/000009.png", tinyColor(9));
-  writeImage(folder / "000003/depth/000009.png", tinyDepth(15000));
-  {
-    const CapturedLog log;
-    const auto source = openBenchmark(folder / "000003");
-    ASSERT_TRUE(source);
-    EXPECT_EQ(source->info().frame_count, 2);
-    EXPECT_THAT(log.text(), HasSubstr("1 of 3 depth images"));
-  }
-  const auto error = [&](const std::string& json) {
-    folder.write("000003/scene_camera.json", json);
-    return openError(folder / "000003");
-  };
-  EXPECT_THAT(error(R"({"0": {"cam_K": [60, 0]}})"),
-              AllOf(HasSubstr("scene_camera.json"), HasSubstr("frame 0")));
-  EXPECT_THAT(error(R"({"0": {"cam_K": [60,0,31,0,60,23,0,0,1], "depth_scale": 0}})"),
-              HasSubstr("depth scale"));
-  EXPECT_THAT(error("{"), HasSubstr("scene_camera.json"));
-  EXPECT_THAT(error("[1]"), HasSubstr("scene_camera.json"));
-  EXPECT_THAT(error("{}"), HasSubstr("no camera for any depth image"));
 }
 
 TEST(FoundationPoseFolder, ReadsNamesOfNineteenDigits) {
@@ -337,49 +246,6 @@ TEST(BonnFolder, HasTheDataSetsCameraAndNoPoses) {
             (Intrinsics{542.822841F, 542.576870F, 315.593520F, 237.756098F, 640, 480}));
   EXPECT_FALSE(source->info().has_poses);
   EXPECT_FLOAT_EQ(source->next().frame.meters_per_unit, 1 / 5000.0F);
-}
-
-std::string rigInfo(const std::string& unit) {
-  const std::string place = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
-  return "m_versionNumber = 4\nm_sensorName = StructureSensor\nm_colorWidth = 128\nm_colorHeight = 96\n"
-         "m_depthWidth = 64\nm_depthHeight = 48\nm_depthShift = " +
-         unit +
-         "\nm_calibrationColorIntrinsic = 120 0 64 0 0 121 48 0 0 0 1 0 0 0 0 1 \n"
-         "m_calibrationColorExtrinsic = " +
-         place + " \nm_calibrationDepthIntrinsic = 60 0 31.5 0 0 61 23.5 0 0 0 1 0 0 0 0 1 \n" +
-         "m_calibrationDepthExtrinsic = " + place + " \nm_frames.size = 2\n";
-}
-
-TEST(BundleFusionFolder, ReadsCamerasAndUnitFromItsInfo) {
-  const TemporaryFolder folder;
-  writeSevenScenes(folder.path(), 0, 2);
-  for (int i = 0; i < 2; ++i) {
-    std::filesystem::remove(folder / numbered("frame-%06d.color.png", i));
-    writeImage(folder / numbered("frame-%06d.color.jpg", i), tinyColor(i, {128, 96}));
-  }
-  folder.write("info.txt", rigInfo("500"));
-  const auto source = openBenchmark(folder.path());
-  ASSERT_TRUE(source);
-  EXPECT_EQ(source->info().kind, "BundleFusion");
-  EXPECT_EQ(source->info().intrinsics, (Intrinsics{60, 61, 31.5F, 23.5F, 64, 48}));
-  const FrameRead read = source->next();
-  EXPECT_FLOAT_EQ(read.frame.meters_per_unit, 0.002F);
-  ASSERT_TRUE(read.frame.color_camera);
-  EXPECT_EQ(read.frame.color_camera->K, (Intrinsics{120, 121, 64, 48, 128, 96}));
-  folder.write("info.txt", "m_calibrationDepthIntrinsic = 1 2 3\n");
-  EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("info.txt"), HasSubstr("m_depthWidth")));
-}
-
-TEST(ThreeRScanFolder, ReadsPgmDepth) {
-  const TemporaryFolder folder;
-  writeImage(folder / "frame-000000.depth.pgm", tinyDepth(1234));
-  writeImage(folder / "frame-000000.color.jpg", tinyColor(1, {128, 96}));
-  folder.write("frame-000000.pose.txt", matrixText(1));
-  folder.write("_info.txt", rigInfo("1000"));
-  const auto source = openBenchmark(folder.path());
-  ASSERT_TRUE(source);
-  EXPECT_EQ(source->info().kind, "3RScan");
-  EXPECT_EQ(source->next().frame.depth.at<std::uint16_t>(5, 5), 1234);
 }
 
 TEST(NumberedFolder, ReadsPosesOfAPoseFolder) {
