@@ -41,7 +41,7 @@ void ScanOptions::addSourceTo(CLI::App& command) {
   command
       .add_option(
           "--depth-scale", depth_scale,
-          "depth units per metre, for folders that do not give it; for floating-point depth 1 is metres")
+          "depth units per metre, for folders that do not give it\n(1 for floating-point depth in metres)")
       ->check(above(0))
       ->type_name("S");
   command
