@@ -7,6 +7,7 @@
 #include "core/capture/foundation_pose_folder.h"
 #include "core/capture/icl_nuim.h"
 #include "core/capture/numbered_folder.h"
+#include "core/capture/phones/phone_folders.h"
 #include "core/capture/replica_folder.h"
 #include "core/capture/scannet_folder.h"
 #include "core/capture/scenenn_folder.h"
@@ -68,6 +69,7 @@ const std::vector<FolderFormat>& folderFormats() {
       {"SceneNN", fitsFolder<isSceneNnFolder>, openByFolder<openSceneNnFolder>},
       {"FoundationPose", fitsFolder<isFoundationPoseFolder>, openByFolder<openFoundationPoseFolder>},
       {".sens file", fitsSens, openSensIn},
+      {"a phone's recording", isPhoneFolder, openPhoneFolder},
       {"numbered images", fitsFolder<isNumberedFolder>, openByFolder<openNumberedFolder>},
   };
   return formats;

@@ -1,6 +1,5 @@
 #include "core/capture/image_sequence.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <utility>
 
 #include "core/capture/color_registration.h"
@@ -31,12 +30,6 @@ Result<cv::Mat> decode(const ImageDecoder& decoder, const std::filesystem::path&
   return decoder ? decoder() : read(file);
 }
 
-Result<cv::Mat> readConfidence(const std::filesystem::path& file) {
-  cv::Mat image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-  if (image.empty()) return fail("The confidence image " + file.string() + " is damaged or missing.");
-  return image;
-}
-
 Result<Images> readImages(const ImageSequenceEntry& entry, const ImageSequence& sequence) {
   const auto missing = [&](const char* what) {
     return "Frame " + std::to_string(entry.index) + " has no " + what + " image.";
@@ -50,8 +43,18 @@ Result<Images> readImages(const ImageSequenceEntry& entry, const ImageSequence& 
     SCANTROVE_TRY(moveInto(images.color, decode(entry.decode_color, entry.color, readColorImage)));
   if (!entry.confidence.empty() || entry.decode_confidence)
     SCANTROVE_TRY(
-        moveInto(images.confidence, decode(entry.decode_confidence, entry.confidence, readConfidence)));
+        moveInto(images.confidence, decode(entry.decode_confidence, entry.confidence, readGrayImage)));
+  if (!images.confidence.empty() && images.confidence.type() != CV_8UC1)
+    return fail("The confidence image of frame " + std::to_string(entry.index) +
+                " is not 8-bit with 1 channel.");
   return images;
+}
+
+/// For messages: the file, or which frame's image.
+std::string nameOfImage(const std::filesystem::path& file, const char* what,
+                        const ImageSequenceEntry& entry) {
+  return file.empty() ? "The " + std::string(what) + " image of frame " + std::to_string(entry.index)
+                      : file.string();
 }
 
 /// Confidences of a frame from its image, whose values may be those of another range.
@@ -143,7 +146,7 @@ class ImageSequenceSource final : public FrameSource {
     SCANTROVE_TRY(moveInto(images, readImages(entry, sequence_)));
     SCANTROVE_TRY(checkSizes(entry, images));
     CameraModel own;
-    std::string origin = "of frame " + std::to_string(entry.index);
+    std::string origin = "frame " + std::to_string(entry.index);
     if (entry.intrinsics) {
       own.K = *entry.intrinsics;
     } else if (!entry.intrinsics_file.empty()) {
@@ -159,8 +162,8 @@ class ImageSequenceSource final : public FrameSource {
   Result<void> checkSizes(const ImageSequenceEntry& entry, const Images& images) const {
     const cv::Size depth_size(info_.intrinsics.width, info_.intrinsics.height);
     if (images.depth.size() != depth_size) {
-      return fail(entry.depth.string() + " is " + sizeText(images.depth.size()) + ", the first frame " +
-                  sizeText(depth_size) + ".");
+      return fail(nameOfImage(entry.depth, "depth", entry) + " is " + sizeText(images.depth.size()) +
+                  ", the first frame " + sizeText(depth_size) + ".");
     }
     if (units_.is_float != (images.depth.type() == CV_32FC1)) {
       return fail("The depth of frame " + std::to_string(entry.index) + " is " +
@@ -173,8 +176,8 @@ class ImageSequenceSource final : public FrameSource {
                   ".");
     }
     if (!images.color.empty() && images.color.size() != color_size_) {
-      return fail(entry.color.string() + " is " + sizeText(images.color.size()) + ", the first frame " +
-                  sizeText(color_size_) + ".");
+      return fail(nameOfImage(entry.color, "colour", entry) + " is " + sizeText(images.color.size()) +
+                  ", the first frame " + sizeText(color_size_) + ".");
     }
     return {};
   }
@@ -199,21 +202,40 @@ class ImageSequenceSource final : public FrameSource {
 
 Result<Images> firstUsable(const ImageSequence& sequence, const std::vector<std::size_t>& selected) {
   std::optional<Error> first_error;
+  std::optional<Images> without_color;
   const std::size_t probed = std::min(selected.size(), kProbedFrames);
   for (std::size_t i = 0; i < probed; ++i) {
     auto images = readImages(sequence.entries[selected[i]], sequence);
-    if (images && sequence.has_color && images->color.empty()) continue;  // its size is needed
-    if (images) {
+    if (!images) {
+      if (!first_error) first_error = images.error();
+    } else if (sequence.has_color && images->color.empty()) {
+      without_color = std::move(*images);
+    } else {
       return images;
     }
-    if (!first_error) {
-      first_error = images.error();
-    }
   }
-  const Error why = first_error.value_or(Error{"None of them has colour.", {}});
+  if (without_color) return *without_color;
+  const Error why = first_error.value_or(Error());
   return fail("None of the first " + std::to_string(probed) + " frames of " + sequence.folder.string() +
                   " can be used: " + why.what,
               why.advice);
+}
+
+/// The camera of the recording, before the size of the images is known.
+void setCamera(ImageSequence& sequence, const ImageSequenceEntry& first, const SourceOptions& options) {
+  if (options.intrinsics) {
+    if (!isNear(sequence.camera.K, *options.intrinsics))
+      sequence.camera.lens.reset();  // it belongs to another camera
+    sequence.camera.K = *options.intrinsics;
+    sequence.camera.K.width = sequence.camera.K.height = 0;
+    sequence.camera_origin = "--intrinsics";
+    for (ImageSequenceEntry& entry : sequence.entries) {
+      entry.intrinsics.reset();
+      entry.intrinsics_file.clear();
+    }
+  } else if (first.intrinsics) {
+    sequence.camera.K = *first.intrinsics;
+  }
 }
 
 }  // namespace
@@ -230,18 +252,9 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
     return fail(first.error());
   }
   const cv::Size size = first->depth.size();
+  if (first->color.empty()) sequence.has_color = false;
   const cv::Size color_size = sequence.has_color ? first->color.size() : size;
-  if (options.intrinsics) {
-    if (!isNear(sequence.camera.K, *options.intrinsics))
-      sequence.camera.lens.reset();  // it belongs to another camera
-    sequence.camera.K = *options.intrinsics;
-    sequence.camera.K.width = sequence.camera.K.height = 0;
-    sequence.camera_origin = "--intrinsics";
-    for (ImageSequenceEntry& entry : sequence.entries) {
-      entry.intrinsics.reset();
-      entry.intrinsics_file.clear();
-    }
-  }
+  setCamera(sequence, sequence.entries[selected->front()], options);
   SourceInfo info;
   info.name = folderName(sequence.folder);
   info.kind = sequence.kind;

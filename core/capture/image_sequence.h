@@ -11,8 +11,8 @@
 
 namespace scantrove {
 
-/// Decodes an image that is no file of its own (in an archive or a video). Called in recording order, each at
-/// most once; on the source's thread.
+/// Decodes an image that is no file of its own (in an archive or a video). Called in recording order, those
+/// of the first frames once more before that; on the source's thread. Depth: as readAnyDepth() returns it.
 using ImageDecoder = std::function<Result<cv::Mat>()>;
 
 /// One undecoded frame of a folder recording.
@@ -49,9 +49,9 @@ struct ImageSequence {
 
 /// Makes a source from the folder: selects the frames and decodes the first usable one, whose image size
 /// decides the intrinsics. A frame is skipped if an image is missing, damaged, of a wrong type, or differs in
-/// size or type from the first. Depth may have any type of readAnyDepth(); frames have 16 bits. An unusable
-/// pose leaves the frame without pose. Reading fails once the folder is gone. Error: bad options, no usable
-/// frame, colour that does not fit its registration.
+/// size or type from the first, or if its own camera is impossible. Depth may have any type of
+/// readAnyDepth(); frames have 16 bits. An unusable pose leaves the frame without pose. Reading fails once
+/// the folder is gone. Error: bad options, no usable frame, colour that does not fit its registration.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence,
                                                                      const SourceOptions& options);
 

@@ -8,6 +8,8 @@
 #include "core/capture/folder_listing.h"
 #include "core/capture/freenect_source.h"
 #include "core/capture/openni_source.h"
+#include "core/capture/phones/phone_folders.h"
+#include "core/capture/phones/record3d.h"
 #include "core/capture/sens_file.h"
 
 namespace scantrove {
@@ -18,7 +20,7 @@ using OpenedInput = Result<std::unique_ptr<FrameSource>>;
 constexpr const char* kKnownSources =
     "Looked for a 7-Scenes folder (frame-000000.depth.png ...), a TUM RGB-D folder (depth.txt, rgb.txt), "
     "numbered images (depth/ beside color/, image/ or rgb/), and folders of BOP, ScanNet, Replica, ICL-NUIM, "
-    "SceneNN, BundleFusion and FoundationPose.";
+    "SceneNN, BundleFusion and FoundationPose, and of apps on phones (see docs/devices.md).";
 
 /// A 7-Scenes download contains its recordings in seq-01, seq-02, ...: the message says so.
 std::string recordingInside(const std::filesystem::path& folder, const std::vector<std::string>& names) {
@@ -51,10 +53,10 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) {
-    return fail(
-        "There is no " + path.string() + ".",
-        "Give a recording's folder, an .oni or .sens file, `camera`, `camera:URI`, `freenect`, `demo` or "
-        "`demo:room`.");
+    return fail("There is no " + path.string() + ".",
+                "Give a recording's folder, an .oni, .r3d or .sens file, `camera`, `camera:URI`, `freenect`, "
+                "`demo` or "
+                "`demo:room`.");
   }
   if (error) {
     return fail("Cannot open " + path.string() + ": " + error.message() + ".",
@@ -66,10 +68,11 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
   const std::string extension = lowerCase(path.extension().string());
   if (extension == ".oni") return openOniRecording(path, options);
   if (extension == ".sens") return openSensFile(path, options);
-  return fail(
-      path.string() + " is not a recording in a supported format.",
-      "Files: .oni, .sens. Folders: 7-Scenes, TUM RGB-D, numbered colour and depth images, and those of "
-      "benchmarks (see docs/devices-benchmarks.md).");
+  if (isRecord3dFile(path)) return openRecord3dFile(path, options);
+  return fail(path.string() + " is not a recording in a supported format.",
+              "Files: .oni, .r3d, .sens. Folders: 7-Scenes, TUM RGB-D, numbered colour and depth images, "
+              "those of phones "
+              "and of benchmarks (see docs/devices.md and docs/devices-benchmarks.md).");
 }
 
 }  // namespace

@@ -36,10 +36,15 @@ Result<cv::Mat> readMetricDepth(const std::filesystem::path& file) {
   }
   cv::Mat1f metres;
   image->convertTo(metres, CV_32F);
-  for (float& value : metres) {
+  return withoutInvalidDepth(metres);
+}
+
+cv::Mat withoutInvalidDepth(const cv::Mat& metres) {
+  cv::Mat1f valid = metres.clone();
+  for (float& value : valid) {
     if (!std::isfinite(value) || value < 0) value = 0;
   }
-  return metres;
+  return valid;
 }
 
 cv::Mat toDepthUnits(const cv::Mat& metres, float meters_per_unit) {

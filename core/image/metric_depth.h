@@ -11,6 +11,9 @@ namespace scantrove {
 /// floating point.
 [[nodiscard]] Result<cv::Mat> readMetricDepth(const std::filesystem::path& file);
 
+/// Depth in metres (CV_32FC1, any value) with 0 in place of NaN, infinite and negative values.
+[[nodiscard]] cv::Mat withoutInvalidDepth(const cv::Mat& metres);
+
 /// Depth in metres (CV_32FC1, any value) in units of `meters_per_unit`: CV_16UC1, rounded. 0 = no reading:
 /// also what is not finite, negative, or too far for 16 bits.
 [[nodiscard]] cv::Mat toDepthUnits(const cv::Mat& metres, float meters_per_unit);

@@ -48,6 +48,8 @@ class PngDecoder {
     return is16Bit() ? decode(CV_16UC1, SPNG_FMT_PNG) : decode(CV_8UC1, SPNG_FMT_G8);
   }
 
+  [[nodiscard]] Result<cv::Mat> decodeRgba() { return decode(CV_8UC4, SPNG_FMT_RGBA8); }
+
   [[nodiscard]] Result<cv::Mat> decodeColor() {
     Result<cv::Mat> image = decode(CV_8UC3, SPNG_FMT_RGB8);
     if (image) cv::cvtColor(*image, *image, cv::COLOR_RGB2BGR);
@@ -102,6 +104,13 @@ Result<cv::Mat> decodeAnyPng(Bytes bytes, const std::string& name) {
   PngDecoder decoder(bytes, name);
   SCANTROVE_TRY(decoder.readHeader());
   return decoder.channels() == 1 ? decoder.decodeGray() : decoder.decodeColor();
+}
+
+Result<cv::Mat> decodeRgbaPng(Bytes bytes, const std::string& name) {
+  PngDecoder decoder(bytes, name);
+  SCANTROVE_TRY(decoder.readHeader());
+  if (decoder.channels() == 4 && !decoder.is16Bit()) return decoder.decodeRgba();
+  return fail(name + " is no 8-bit PNG with 4 channels.");
 }
 
 }  // namespace scantrove

@@ -19,4 +19,8 @@ namespace scantrove {
 /// Decodes a one-channel PNG as decodeGrayPng does, and any other as decodeColorPng does.
 [[nodiscard]] Result<cv::Mat> decodeAnyPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
+/// Decodes an 8-bit PNG of four channels to CV_8UC4, in the file's order: R, G, B, A, alpha not applied.
+/// Error: `name` and libspng's reason, or that it has no four channels of 8 bits.
+[[nodiscard]] Result<cv::Mat> decodeRgbaPng(std::span<const std::uint8_t> bytes, const std::string& name);
+
 }  // namespace scantrove
