@@ -19,14 +19,14 @@ namespace scantrove {
 
 namespace {
 
-constexpr std::string_view kDepthEnd = ".depth.zlib";
+constexpr std::string_view kDepthStreamEnd = ".depth.zlib";
 
 /// NAME of NAME.depth.zlib; empty if the folder has no such file.
 std::string scanName(const std::vector<std::string>& names) {
   const auto depth = std::ranges::find_if(names, [](const std::string& name) {
-    return name.size() > kDepthEnd.size() && name.ends_with(kDepthEnd);
+    return name.size() > kDepthStreamEnd.size() && name.ends_with(kDepthStreamEnd);
   });
-  return depth == names.end() ? std::string() : depth->substr(0, depth->size() - kDepthEnd.size());
+  return depth == names.end() ? std::string() : depth->substr(0, depth->size() - kDepthStreamEnd.size());
 }
 
 /// What NAME.json says about the streams.
@@ -64,7 +64,7 @@ class MultiscanImages {
                   const MultiscanStreams& streams)
       : streams_(streams) {
     const auto pixels = static_cast<std::size_t>(streams.depth.area());
-    depth_ = std::make_shared<DeflatedFrames>(folder / (scan + std::string(kDepthEnd)), 2 * pixels);
+    depth_ = std::make_shared<DeflatedFrames>(folder / (scan + std::string(kDepthStreamEnd)), 2 * pixels);
     if (const auto file = fileIfPresent(folder / (scan + ".confidence.zlib")); !file.empty())
       confidence_ = std::make_shared<DeflatedFrames>(file, pixels);
     if (const auto file = fileIfPresent(folder / (scan + ".mp4")); !file.empty())

@@ -6,6 +6,7 @@
 
 #include "core/base/regular_file.h"
 #include "core/base/stamped_pose.h"
+#include "core/capture/folder_listing.h"
 #include "core/capture/lzfse_decoder.h"
 #include "core/capture/phones/device_files.h"
 #include "core/capture/phones/device_metadata.h"
@@ -181,6 +182,7 @@ Result<ImageSequence> readRecord3dFolder(const std::filesystem::path& folder) {
 }
 
 bool isRecord3dFile(const std::filesystem::path& file) {
+  if (lowerCase(file.extension().string()) == ".r3d") return true;
   const auto start = readFile(file, kZipMagic.size());
   if (!start || *start != kZipMagic) return false;
   const auto zip = ZipArchive::open(file);

@@ -14,7 +14,7 @@ namespace scantrove {
 /// Its frames by number. Error: names the file.
 [[nodiscard]] Result<ImageSequence> readRecord3dFolder(const std::filesystem::path& folder);
 
-/// Whether the file is a recording of Record3D (.r3d): a zip archive with its metadata.
+/// Whether the file is a recording of Record3D: named .r3d, or a zip archive with its metadata.
 [[nodiscard]] bool isRecord3dFile(const std::filesystem::path& file);
 
 /// Its frames by number, read from the archive one by one. Error: names the file.
