@@ -32,7 +32,8 @@ struct ScanOptions {
 };
 
 inline constexpr const char* kSourceHelp =
-    "a folder, an .oni or .sens file, 'camera', 'camera:URI', 'freenect' (Kinect v1), 'demo', 'demo:room',\n"
+    "a folder, an .oni, .r3d or .sens file, 'camera', 'camera:URI', 'freenect' (Kinect v1), 'demo', "
+    "'demo:room',\n"
     "'demo:wall', 'demo:corridor', or a random scene: 'demo:room:SEED' (also tabletop, sweep, moving,\n"
     "hands). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no noise),\n"
     "':phone' (a telephone's camera), ':device' (poses of a phone that tracks itself) or, tabletop and room,\n"

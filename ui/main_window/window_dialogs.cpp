@@ -24,7 +24,7 @@ void WindowDialogs::openFolder() {
 }
 
 void WindowDialogs::openRecording() {
-  const QString file = chooseFile(&window_, tr("Recording"), tr("Recordings (*.oni *.sens)"));
+  const QString file = chooseFile(&window_, tr("Recording"), tr("Recordings (*.oni *.r3d *.sens)"));
   if (!file.isEmpty()) window_.open(file);
 }
 
