@@ -1,6 +1,9 @@
 #include "core/capture/video_frames.h"
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdint>
 #include <string>
 #include <utility>
 

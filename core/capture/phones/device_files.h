@@ -2,8 +2,6 @@
 #include <filesystem>
 #include <string>
 
-#include "core/base/result.h"
-
 namespace scantrove {
 
 /// Whether `path` is a folder.

@@ -50,7 +50,7 @@ constexpr std::array<PhoneFormat, 9> kPhoneFormats{{
 const PhoneFormat* formatOf(const Folder& folder, const Names& names) {
   const auto found = std::ranges::find_if(
       kPhoneFormats, [&](const PhoneFormat& format) { return format.is(folder, names); });
-  return found == kPhoneFormats.end() ? nullptr : found;
+  return found == kPhoneFormats.end() ? nullptr : &*found;
 }
 
 Result<std::unique_ptr<FrameSource>> openRead(Result<ImageSequence> sequence, const SourceOptions& options) {

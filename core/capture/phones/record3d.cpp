@@ -1,6 +1,5 @@
 #include "core/capture/phones/record3d.h"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 

@@ -42,7 +42,8 @@ Result<ImageSequenceEntry> readFrame(const std::filesystem::path& folder, const 
 }  // namespace
 
 bool isScannerApp3dFolder(const std::filesystem::path& folder, const std::vector<std::string>& names) {
-  const auto frame = std::ranges::find_if(names, [](const std::string& name) { return digitsOfFrame(name); });
+  const auto frame =
+      std::ranges::find_if(names, [](const std::string& name) { return digitsOfFrame(name).has_value(); });
   if (frame == names.end()) return false;
   const auto json = readJson(folder / *frame);
   return json && json->is_object() && json->contains("cameraPoseARFrame") && json->contains("intrinsics");

@@ -110,7 +110,7 @@ std::optional<ImageSequenceEntry> strayEntry(const std::filesystem::path& folder
 }  // namespace
 
 bool isStrayScannerFolder(const std::filesystem::path& folder, const std::vector<std::string>& names) {
-  const auto has = [&](const char* name) { return std::ranges::binary_search(names, name); };
+  const auto has = [&](const std::string& name) { return std::ranges::binary_search(names, name); };
   return has("odometry.csv") && isFolder(folder / "depth") && (has("rgb.mp4") || has("rgb"));
 }
 

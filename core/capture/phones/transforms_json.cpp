@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <opencv2/core.hpp>
 #include <set>
 #include <vector>
 
@@ -92,13 +93,15 @@ Result<cv::Mat> readPackedFloats(const std::filesystem::path& file) {
   return withoutInvalidDepth(metres);
 }
 
+using DepthReader = Result<cv::Mat> (*)(const std::filesystem::path&);
+
 /// Floating-point depth in millimetres.
 Result<cv::Mat> readFloatMillimeters(const std::filesystem::path& file) {
   return readMetricDepth(file).map([](const cv::Mat& depth) { return cv::Mat(depth / 1000); });
 }
 
 /// The decoder of depth images like `file`; none: as the file has it (16-bit numbers or metres).
-Result<cv::Mat> (*decoderFor(const std::filesystem::path& file))(const std::filesystem::path&) {
+DepthReader decoderFor(const std::filesystem::path& file) {
   if (isRgbaPng(file)) return readPackedFloats;
   const auto depth = readAnyDepth(file);
   constexpr double kFarthestMean_m = 100;
@@ -165,9 +168,10 @@ void warnOfLens(const nlohmann::json& file, const std::string& name) {
 bool isTransformsFolder(const std::filesystem::path& folder) {
   if (fileIfPresent(folder / kTransformsName).empty()) return false;
   const auto json = readJson(folder / kTransformsName);
-  return json && hasFrames(*json) && std::ranges::any_of(json->at("frames"), [](const nlohmann::json& frame) {
-           return !depthNameOf(frame).empty();
-         });
+  if (!json || !hasFrames(*json)) return false;
+  const nlohmann::json& frames = json->at("frames");
+  return std::any_of(frames.begin(), frames.end(),
+                     [](const nlohmann::json& frame) { return !depthNameOf(frame).empty(); });
 }
 
 Result<ImageSequence> readTransformsFolder(const std::filesystem::path& folder) {
