@@ -15,7 +15,7 @@
 namespace scantrove::test {
 
 inline constexpr int kLidarColumns = 256, kLidarRows = 192;
-inline constexpr cv::Size kLidarSize{kLidarColumns, kLidarRows}, kColorSize{64, 48};
+inline const cv::Size kLidarSize{kLidarColumns, kLidarRows}, kColorSize{64, 48};
 
 /// The pose that all recordings here tell: x of the camera along y of the world, y (ARKit: up) along its z, z
 /// (ARKit: backward) along its x; at (1, 2, 3). Row by row.
