@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/capture/bop_scene.h"
+#include "core/capture/containers/open_container.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/foundation_pose_folder.h"
 #include "core/capture/icl_nuim.h"
@@ -56,6 +57,20 @@ OpenedFolder openSensIn(const Folder& folder, const Names& names, const SourceOp
   return openSensFile(folder / onlySensFile(names), options);
 }
 
+bool fitsRosbag2(const Folder& folder, const Names&) {
+  const auto file = rosbag2FileIn(folder);
+  return !file || *file;  // opening says what is wrong
+}
+
+OpenedFolder openRosbag2In(const Folder& folder, const Names&, const SourceOptions& options) {
+  const auto file = rosbag2FileIn(folder);
+  if (!file) return fail(file.error());
+  const auto format = containerFormat(**file);
+  if (!format) return fail(format.error());
+  if (!*format) return fail((*file)->string() + " is no ROS 2 recording.");
+  return openContainer(**file, **format, options);
+}
+
 }  // namespace
 
 const std::vector<FolderFormat>& folderFormats() {
@@ -69,6 +84,7 @@ const std::vector<FolderFormat>& folderFormats() {
       {"SceneNN", fitsFolder<isSceneNnFolder>, openByFolder<openSceneNnFolder>},
       {"FoundationPose", fitsFolder<isFoundationPoseFolder>, openByFolder<openFoundationPoseFolder>},
       {".sens file", fitsSens, openSensIn},
+      {"ROS 2 recording", fitsRosbag2, openRosbag2In},
       {"a phone's recording", isPhoneFolder, openPhoneFolder},
       {"numbered images", fitsFolder<isNumberedFolder>, openByFolder<openNumberedFolder>},
   };

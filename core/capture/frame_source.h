@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,10 @@ struct SourceOptions {
       intrinsics;  ///< fx fy cx cy (width and height are the images'); overrides the source's
   std::optional<double> depth_scale;                    ///< units per metre; overrides the source's
   std::optional<ColorRegistration> color_registration;  ///< overrides the source's
+  std::string depth_topic, color_topic;                 ///< of a ROS recording; empty: the only fitting pair
+  /// Called once a second while opening takes longer than a second, with the part that is done (0 - 1).
+  /// False cancels. Thread: that of openSource(). None: never cancelled.
+  std::function<bool(double done)> on_opening = {};
 };
 
 }  // namespace scantrove

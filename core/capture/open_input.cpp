@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/capture/cameras.h"
+#include "core/capture/containers/open_container.h"
 #include "core/capture/folder_formats.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/freenect_source.h"
@@ -19,8 +20,10 @@ using OpenedInput = Result<std::unique_ptr<FrameSource>>;
 
 constexpr const char* kKnownSources =
     "Looked for a 7-Scenes folder (frame-000000.depth.png ...), a TUM RGB-D folder (depth.txt, rgb.txt), "
-    "numbered images (depth/ beside color/, image/ or rgb/), and folders of BOP, ScanNet, Replica, ICL-NUIM, "
-    "SceneNN, BundleFusion and FoundationPose, and of apps on phones (see docs/devices.md).";
+    "numbered images (depth/ beside color/, image/ or rgb/), a ROS 2 recording (metadata.yaml), and folders "
+    "of BOP, ScanNet, Replica, ICL-NUIM, SceneNN, BundleFusion and FoundationPose, and of apps on phones "
+    "(see "
+    "docs/devices.md).";
 
 /// A 7-Scenes download contains its recordings in seq-01, seq-02, ...: the message says so.
 std::string recordingInside(const std::filesystem::path& folder, const std::vector<std::string>& names) {
@@ -35,6 +38,22 @@ std::string recordingInside(const std::filesystem::path& folder, const std::vect
     }
   }
   return {};
+}
+
+OpenedInput openFile(const std::filesystem::path& file, const SourceOptions& options) {
+  const std::string extension = lowerCase(file.extension().string());
+  if (extension == ".oni") return openOniRecording(file, options);
+  if (extension == ".sens") return openSensFile(file, options);
+  if (isRecord3dFile(file)) return openRecord3dFile(file, options);
+  const auto format = containerFormat(file);
+  if (!format) return fail(format.error());
+  if (*format) return openContainer(file, **format, options);
+  const std::string advice = adviceForContainer(file);
+  return fail(file.string() + " is not a recording in a supported format.",
+              advice.empty() ? "Files: .oni, .r3d, .sens, ROS .bag, .db3, .mcap, Azure Kinect .mkv. Folders: "
+                               "7-Scenes, TUM RGB-D, numbered colour and depth images, those of phones "
+                               "and of benchmarks (see docs/devices.md and docs/devices-benchmarks.md)."
+                             : advice);
 }
 
 OpenedInput openFolder(const std::filesystem::path& folder, const SourceOptions& options) {
@@ -54,8 +73,8 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) {
     return fail("There is no " + path.string() + ".",
-                "Give a recording's folder, an .oni, .r3d or .sens file, `camera`, `camera:URI`, `freenect`, "
-                "`demo` or "
+                "Give a recording's folder or file (.oni, .bag, .db3, .mcap, .mkv, .r3d, .sens), `camera`, "
+                "`camera:URI`, `freenect`, `demo` or "
                 "`demo:room`.");
   }
   if (error) {
@@ -65,14 +84,7 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
   if (status.type() == std::filesystem::file_type::directory) {
     return openFolder(path, options);
   }
-  const std::string extension = lowerCase(path.extension().string());
-  if (extension == ".oni") return openOniRecording(path, options);
-  if (extension == ".sens") return openSensFile(path, options);
-  if (isRecord3dFile(path)) return openRecord3dFile(path, options);
-  return fail(path.string() + " is not a recording in a supported format.",
-              "Files: .oni, .r3d, .sens. Folders: 7-Scenes, TUM RGB-D, numbered colour and depth images, "
-              "those of phones "
-              "and of benchmarks (see docs/devices.md and docs/devices-benchmarks.md).");
+  return openFile(path, options);
 }
 
 }  // namespace
