@@ -52,6 +52,14 @@ void ScanOptions::addSourceTo(CLI::App& command) {
           "camera coordinates: translation (x, or x,y,z) in metres, optional rotation in degrees\n"
           "(default: from the source)")
       ->type_name("registered|kinect|fx,fy,cx,cy,x[,y,z[,rx,ry,rz]]");
+  command
+      .add_option("--depth-topic", depth_topic,
+                  "topic of the depth images, for ROS recordings that have several")
+      ->type_name("NAME");
+  command
+      .add_option("--color-topic", color_topic,
+                  "topic of the colour images, for ROS recordings that have several")
+      ->type_name("NAME");
 }
 
 void ScanOptions::addTo(CLI::App& command) {
@@ -81,6 +89,8 @@ SourceOptions ScanOptions::toSourceOptions() const {
   source_options.stride = stride;
   if (frames > 0) source_options.frames = frames;
   if (depth_scale > 0) source_options.depth_scale = depth_scale;
+  source_options.depth_topic = depth_topic;
+  source_options.color_topic = color_topic;
   if (!intrinsics.empty()) source_options.intrinsics = intrinsicsFrom(intrinsics);
   if (!color_registration.empty()) {
     source_options.color_registration = colorRegistrationFrom(color_registration);

@@ -14,9 +14,10 @@ struct ScanOptions {
   int start = 0;
   int stride = 1;
   std::string poses = "auto";
-  std::string intrinsics;          ///< "fx,fy,cx,cy", or empty
-  std::string color_registration;  ///< format of parseColorRegistration(); empty = from the source
-  double depth_scale = 0;          ///< units per metre; 0 = from the source
+  std::string intrinsics;                ///< "fx,fy,cx,cy", or empty
+  std::string color_registration;        ///< format of parseColorRegistration(); empty = from the source
+  double depth_scale = 0;                ///< units per metre; 0 = from the source
+  std::string depth_topic, color_topic;  ///< of a ROS recording; empty = the only fitting pair
   std::string config;
   std::vector<std::string> settings;
   std::string device;
@@ -32,11 +33,13 @@ struct ScanOptions {
 };
 
 inline constexpr const char* kSourceHelp =
-    "a folder, an .oni, .r3d or .sens file, 'camera', 'camera:URI', 'freenect' (Kinect v1), 'demo', "
-    "'demo:room',\n"
+    "a folder, a file (.oni, .r3d, .sens; ROS and RealSense .bag, .db3, .mcap; Azure Kinect and Femto "
+    ".mkv),\n"
+    "'camera', 'camera:URI', 'freenect' (Kinect v1), 'demo', 'demo:room',\n"
     "'demo:wall', 'demo:corridor', or a random scene: 'demo:room:SEED' (also tabletop, sweep, moving,\n"
     "hands). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no noise),\n"
-    "':phone' (a telephone's camera), ':device' (poses of a phone that tracks itself) or, tabletop and room,\n"
+    "':phone' (a telephone's camera), ':device' (poses of a phone that tracks itself) or, tabletop and "
+    "room,\n"
     "with ':hard' (a camera that fails as real ones do)";
 
 /// The parameters after `config` (none when empty), then `settings`. Throws CLI::ValidationError.

@@ -16,8 +16,8 @@ std::string checkSource(const std::string& source) {
       error)
     return {};
   return "'" + source +
-         "' is neither a command nor something to open (a folder of a recording or of a saved scan, an .oni, "
-         ".r3d or .sens file, demo, camera, freenect)";
+         "' is neither a command nor something to open (a folder of a recording or of a saved scan, a "
+         "recorded file, demo, camera, freenect)";
 }
 
 /// "1400x900"

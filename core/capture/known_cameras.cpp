@@ -17,8 +17,9 @@ constexpr std::uint16_t kIntel = 0x8086;
 constexpr double kHighSpeed = 480;    // USB 2.0
 constexpr double kSuperSpeed = 5000;  // USB 3.0
 
-constexpr std::string_view kRecordElsewhere =
-    "Record with its maker's software (colour and depth as numbered PNG files) and open that folder.";
+constexpr std::string_view kRealsenseAdvice =
+    "Record with RealSense Viewer (a .bag or .db3 file) and open that file.";
+constexpr std::string_view kAzureKinectAdvice = "Record with k4arecorder (an .mkv file) and open that file.";
 constexpr std::string_view kKinectV2Advice =
     "The library libfreenect2, which Debian has not, comes with a driver for OpenNI2: build it and put it "
     "into "
@@ -47,7 +48,7 @@ constexpr KnownCamera kTable[] = {
     {kMicrosoft, 0x02d8, "Kinect v2", Part::camera, Driver::none, kSuperSpeed, kKinectV2Advice},
     {kMicrosoft, 0x02d9, "Kinect v2: hub", Part::other},
     {kMicrosoft, 0x097a, "Azure Kinect: hub", Part::other},
-    {kMicrosoft, 0x097c, "Azure Kinect", Part::camera, Driver::none, kSuperSpeed, kRecordElsewhere},
+    {kMicrosoft, 0x097c, "Azure Kinect", Part::camera, Driver::none, kSuperSpeed, kAzureKinectAdvice},
     {kMicrosoft, 0x097d, "Azure Kinect: colour", Part::other},
     {kPrimeSense, 0x0500, "PrimeSense PS1080", Part::camera, Driver::openni2, kHighSpeed},
     {kPrimeSense, 0x0600, "Asus Xtion", Part::camera, Driver::openni2, kHighSpeed},
@@ -60,22 +61,22 @@ constexpr KnownCamera kTable[] = {
     {kPrimeSense, 0x1290, "PrimeSense PS1290", Part::camera, Driver::openni2, kHighSpeed},
     {kPrimeSense, 0, "PrimeSense camera", Part::camera, Driver::none, kHighSpeed, kPrimeSenseAdvice},
     {kOrbbec, 0, "Orbbec camera", Part::camera, Driver::none, kHighSpeed, kOrbbecAdvice},
-    {kIntel, 0x0a66, "RealSense F200", Part::camera, Driver::none, kSuperSpeed, kRecordElsewhere},
-    {kIntel, 0x0a80, "RealSense R200", Part::camera, Driver::none, kSuperSpeed, kRecordElsewhere},
-    {kIntel, 0x0aa5, "RealSense SR300", Part::camera, Driver::none, kSuperSpeed, kRecordElsewhere},
-    {kIntel, 0x0ad1, "RealSense D400", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0ad2, "RealSense D410", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0ad3, "RealSense D415", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0ad4, "RealSense D430", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0ad5, "RealSense D430", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0ad6, "RealSense D400", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0af6, "RealSense D420", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0b07, "RealSense D435", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0b3a, "RealSense D435i", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0b4b, "RealSense D430i", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0b5b, "RealSense D405", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0b5c, "RealSense D455", Part::camera, Driver::none, kHighSpeed, kRecordElsewhere},
-    {kIntel, 0x0b64, "RealSense L515", Part::camera, Driver::none, kSuperSpeed, kRecordElsewhere},
+    {kIntel, 0x0a66, "RealSense F200", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
+    {kIntel, 0x0a80, "RealSense R200", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
+    {kIntel, 0x0aa5, "RealSense SR300", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
+    {kIntel, 0x0ad1, "RealSense D400", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0ad2, "RealSense D410", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0ad3, "RealSense D415", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0ad4, "RealSense D430", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0ad5, "RealSense D430", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0ad6, "RealSense D400", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0af6, "RealSense D420", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0b07, "RealSense D435", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0b3a, "RealSense D435i", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0b4b, "RealSense D430i", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0b5b, "RealSense D405", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0b5c, "RealSense D455", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0b64, "RealSense L515", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
 };
 
 }  // namespace

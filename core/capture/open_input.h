@@ -15,8 +15,8 @@ namespace scantrove {
 /// Whether `folder` is a recording (see folder_formats.h). Error: it cannot be listed.
 [[nodiscard]] Result<bool> isRecordingFolder(const std::filesystem::path& folder);
 
-/// Opens a camera, an .oni, .r3d or .sens file or a recording's folder, detecting its type. Error: names the
-/// path, the formats that were tried, and what to do.
+/// Opens a camera, a recording's file or folder, detecting its type. Error: names the path, the formats that
+/// were tried, and what to do.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openInput(const std::string& source,
                                                              const SourceOptions& options);
 

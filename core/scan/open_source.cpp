@@ -52,8 +52,8 @@ OpenedSource open(const std::string& source, const SourceOptions& options) {
 Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const SourceOptions& options) {
   if (source.empty()) {
     return fail("No source given.",
-                "Give a recording's folder, an .oni, .r3d or .sens file, `camera`, `camera:URI`, `freenect` "
-                "or `demo`.");
+                "Give a recording's folder or file (.oni, .bag, .db3, .mcap, .mkv, .r3d, .sens), `camera`, "
+                "`camera:URI`, `freenect` or `demo`.");
   }
   SCANTROVE_TRY(checkSourceOptions(options));
   return open(source, options).map([&](std::unique_ptr<FrameSource> opened) -> std::unique_ptr<FrameSource> {

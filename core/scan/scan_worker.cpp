@@ -196,8 +196,13 @@ bool ScanWorker::isRefinementSkipped() {
 
 bool ScanWorker::runScan(const ScanRequest& request) {
   enter(ScanState::starting);
+  ScanRequest cancellable = request;
+  cancellable.source_options.on_opening = [this](double) {
+    const std::scoped_lock lock(mutex_);
+    return !isPosted<StopScan>() && !isPosted<CloseScan>() && !isPosted<StartScan>();
+  };
   Result<std::unique_ptr<ScanRun>> run = guarded("preparing the scan", [&] {
-    return ScanRun::open(request, listener_, snapshots_, [this] { post(ApplyCatalogueChanges{}); });
+    return ScanRun::open(cancellable, listener_, snapshots_, [this] { post(ApplyCatalogueChanges{}); });
   });
   if (!run) {
     failWith(run.error());

@@ -12,7 +12,7 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   open_folder =
       make("folder", tr("Open &folder…"), tr("Ctrl+O"), tr("Open a recording in a folder of images"));
   open_recording = make("recording", tr("Open &recording…"), tr("Ctrl+Shift+O"),
-                        tr("Open a recording in one file (.oni, .r3d, .sens)"));
+                        tr("Open a recorded file (.oni, .bag, .db3, .mcap, .mkv, .r3d, .sens)"));
   open_with_options = make("sliders", tr("Open &with options…"), tr("Ctrl+Alt+O"),
                            tr("Set intrinsics, depth scale, or a part of the recording"));
   open_camera = make("camera", tr("&Camera…"), tr("Ctrl+K"), tr("Scan with a depth camera"));

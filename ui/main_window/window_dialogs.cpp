@@ -24,7 +24,8 @@ void WindowDialogs::openFolder() {
 }
 
 void WindowDialogs::openRecording() {
-  const QString file = chooseFile(&window_, tr("Recording"), tr("Recordings (*.oni *.r3d *.sens)"));
+  const QString file =
+      chooseFile(&window_, tr("Recording"), tr("Recordings (*.oni *.bag *.db3 *.mcap *.mkv *.r3d *.sens)"));
   if (!file.isEmpty()) window_.open(file);
 }
 

@@ -115,7 +115,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   };
   connect(add(0, 0, "folder", tr("Open folder…"), tr("7-Scenes, TUM, ScanNet, BOP, numbered images")),
           &QToolButton::clicked, this, &StartPage::folderRequested);
-  connect(add(0, 1, "recording", tr("Open recording…"), tr("One file: .oni, .r3d, .sens")),
+  connect(add(0, 1, "recording", tr("Open recording…"), tr("RealSense, Azure Kinect, ROS, Record3D, OpenNI")),
           &QToolButton::clicked, this, &StartPage::recordingRequested);
   connect(add(1, 0, "camera", tr("Camera…"), tr("A depth camera on this computer")), &QToolButton::clicked,
           this, &StartPage::cameraRequested);

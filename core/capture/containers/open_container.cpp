@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kContainerStartBytes = 64;
 
-ByteView viewOf(const std::string& text) {
+ByteView containerView(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
@@ -45,7 +45,7 @@ Result<std::unique_ptr<ContainerImages>> openImages(const std::filesystem::path&
 Result<std::optional<ContainerFormat>> containerFormat(const std::filesystem::path& file) {
   const Result<std::string> start = readFile(file, kContainerStartBytes);
   if (!start) return fail(start.error());
-  const ByteView bytes = viewOf(*start);
+  const ByteView bytes = containerView(*start);
   if (isRosBag(bytes)) return std::optional(ContainerFormat::ros_bag);
   if (isSqlite(bytes)) return std::optional(ContainerFormat::rosbag2_database);
   if (isMcap(bytes)) return std::optional(ContainerFormat::mcap);
@@ -76,7 +76,7 @@ std::string adviceForContainer(const std::filesystem::path& file) {
            "a ROS bag (topics hd/image_color_rect and hd/image_depth_rect), and open that.";
   }
   const Result<std::string> start = readFile(file, kContainerStartBytes);
-  const ByteView bytes = start ? viewOf(*start) : ByteView();
+  const ByteView bytes = start ? containerView(*start) : ByteView();
   if (isZstd(bytes)) return "It is compressed as a whole: unpack it with `zstd -d`, and open the result.";
   if (start && start->substr(0, 8).ends_with("ftyp")) {
     return "A video holds no depth: record an OAK camera with DepthAI's recorder to an MCAP or ROS 2 file "
