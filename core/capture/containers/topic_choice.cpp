@@ -22,12 +22,21 @@ bool hasWord(const std::string& name, std::initializer_list<const char*> words) 
   return std::ranges::any_of(words, [&](const char* word) { return lower.find(word) != std::string::npos; });
 }
 
+/// The start of the first message that is whole, of three.
+Result<ByteBlock> readTopicStart(MessageFile& file, const MessageTopic& topic) {
+  constexpr std::size_t kTried = 3;
+  Result<ByteBlock> start = file.read(topic.messages.front(), kRosStartBytes);
+  for (std::size_t i = 1; i < std::min(kTried, topic.messages.size()) && !start; ++i)
+    start = file.read(topic.messages[i], kRosStartBytes);
+  return start;
+}
+
 /// The image topics of known content.
 Result<ImageTopics> imageTopicsOf(MessageFile& file) {
   ImageTopics topics;
   for (const MessageTopic& topic : file.topics()) {
     if (!isImageType(topic.type)) continue;
-    const Result<ByteBlock> start = file.read(topic.messages.front(), kRosStartBytes);
+    const Result<ByteBlock> start = readTopicStart(file, topic);
     if (!start) return fail(start.error());
     if (const auto kind = rosImageKind(*start, topic)) topics.push_back({&topic, *kind});
   }

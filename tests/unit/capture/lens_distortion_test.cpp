@@ -39,6 +39,47 @@ TEST(Undistorter, FollowsBrownsEquations) {
   }
 }
 
+/// Column of each pixel, as its value.
+cv::Mat columnNumbers() {
+  cv::Mat columns(480, 640, CV_32FC1);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u) columns.at<float>(v, u) = static_cast<float>(u);
+  return columns;
+}
+
+TEST(Undistorter, FollowsTheRationalModel) {
+  // Depth of an Azure Kinect.
+  const LensDistortion lens{0.5479, -0.0210, 2.06e-5, -7.21e-5, -0.00265, 0.8897, 0.0861, -0.0139};
+  const cv::Mat from = Undistorter(lens, kCamera).ofColor(columnNumbers());
+  for (const auto& [u, v] : {std::pair(319, 255), {100, 100}, {560, 80}, {600, 440}}) {
+    const double x = (u - double{kCamera.cx}) / double{kCamera.fx};
+    const double y = (v - double{kCamera.cy}) / double{kCamera.fy};
+    const double r2 = x * x + y * y, r4 = r2 * r2, r6 = r4 * r2;
+    const double radial =
+        (1 + lens.k1 * r2 + lens.k2 * r4 + lens.k3 * r6) / (1 + lens.k4 * r2 + lens.k5 * r4 + lens.k6 * r6);
+    const double bent_x = x * radial + 2 * lens.p1 * x * y + lens.p2 * (r2 + 2 * x * x);
+    EXPECT_NEAR(double{from.at<float>(v, u)}, double{kCamera.fx} * bent_x + double{kCamera.cx}, 0.05);
+  }
+}
+
+TEST(Undistorter, InvertsTheFormula_WhenTheLensIsInverse) {
+  LensDistortion lens{-0.056, 0.066, 0.001, -0.0005, -0.02};  // colour of a D455
+  lens.is_inverse = true;
+  const cv::Mat from = Undistorter(lens, kCamera).ofColor(columnNumbers());
+  for (const auto& [u, v] : {std::pair(319, 255), {150, 120}, {520, 80}, {560, 400}}) {
+    // The formula takes the distorted column and row, found for this pixel, back to the pixel.
+    cv::Mat rows(480, 640, CV_32FC1);
+    for (int row = 0; row < 480; ++row) rows.row(row).setTo(row);
+    const cv::Mat from_rows = Undistorter(lens, kCamera).ofColor(rows);
+    const double x = (double{from.at<float>(v, u)} - double{kCamera.cx}) / double{kCamera.fx};
+    const double y = (double{from_rows.at<float>(v, u)} - double{kCamera.cy}) / double{kCamera.fy};
+    const double r2 = x * x + y * y;
+    const double radial = 1 + lens.k1 * r2 + lens.k2 * r2 * r2 + lens.k3 * r2 * r2 * r2;
+    const double straight_x = x * radial + 2 * lens.p1 * x * y + lens.p2 * (r2 + 2 * x * x);
+    EXPECT_NEAR(double{kCamera.fx} * straight_x + double{kCamera.cx}, u, 0.1);
+  }
+}
+
 TEST(Undistorter, KeepsDepthsUnmixed) {
   cv::Mat depth(480, 640, CV_16UC1, cv::Scalar(800));
   depth.colRange(300, 640) = 3000;
