@@ -66,9 +66,9 @@ Result<std::unique_ptr<FrameSource>> openContainer(const std::filesystem::path& 
 std::string adviceForContainer(const std::filesystem::path& file) {
   const std::string end = lowerCase(file.extension().string());
   if (end == ".svo" || end == ".svo2") {
-    return "Export it with Stereolabs' ZED_SVO_Export, mode 4 (left image and 16-bit depth as PNG files), "
-           "and "
-           "open that folder.";
+    return "Export it with Stereolabs' ZED_SVO_Export, mode 4 (left image and 16-bit depth), sort the files "
+           "into "
+           "folders color and depth, and open the folder of both.";
   }
   if (end == ".xef") {
     return "Kinect Studio's raw files are read by Microsoft's SDK only: record a Kinect v2 with iai_kinect2 "
