@@ -92,8 +92,9 @@ TEST(CommandLine, RefusesUnknownAndMissingArguments) {
 }
 
 TEST(CommandLine, RefusesEmptyArguments) {
-  for (const char* option : {"--database", "--intrinsics", "--config", "--set", "--device",
-                             "--color-registration", "--poses", "--resume", "--depth-scale", "--frames"}) {
+  for (const char* option :
+       {"--database", "--intrinsics", "--config", "--set", "--device", "--color-registration",
+        "--depth-topic", "--color-topic", "--poses", "--resume", "--depth-scale", "--frames"}) {
     expectRefused(parseScan({option, ""}), {option});
   }
   expectRefused(parse({"scan", "", "--out", "out"}), {"SOURCE is empty"});
