@@ -54,6 +54,11 @@ Undistorter::Undistorter(const LensDistortion& lens, const Intrinsics& K) {
   const std::array coefficients{lens.k1, lens.k2, lens.p1, lens.p2, lens.k3, lens.k4, lens.k5, lens.k6};
   cv::initUndistortRectifyMap(camera, coefficients, cv::noArray(), camera, {K.width, K.height}, CV_16SC2,
                               places_, fractions_);
+  // The integer parts of places_ are rounded down, half a pixel off on average.
+  cv::Mat x, y;
+  cv::initUndistortRectifyMap(camera, coefficients, cv::noArray(), camera, {K.width, K.height}, CV_32FC1, x,
+                              y);
+  cv::convertMaps(x, y, nearest_, cv::noArray(), CV_16SC2, true);
 }
 
 cv::Mat Undistorter::ofColor(const cv::Mat& image) const {
@@ -64,7 +69,7 @@ cv::Mat Undistorter::ofColor(const cv::Mat& image) const {
 
 cv::Mat Undistorter::ofDepth(const cv::Mat& depth) const {
   cv::Mat straight;
-  cv::remap(depth, straight, places_, cv::noArray(), cv::INTER_NEAREST, cv::BORDER_CONSTANT);
+  cv::remap(depth, straight, nearest_, cv::noArray(), cv::INTER_NEAREST, cv::BORDER_CONSTANT);
   return straight;
 }
 

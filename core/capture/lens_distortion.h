@@ -27,12 +27,13 @@ class Undistorter {
 
   /// Undistorts an image of K's size, any type, with interpolation.
   [[nodiscard]] cv::Mat ofColor(const cv::Mat& image) const;
-  /// The same without interpolation; 0 outside the lens's image.
+  /// The same from the nearest pixel, without interpolation; 0 outside the lens's image.
   [[nodiscard]] cv::Mat ofDepth(const cv::Mat& depth) const;
 
  private:
   cv::Mat places_;  // CV_16SC2 and CV_16UC1, source position of each pixel
   cv::Mat fractions_;
+  cv::Mat nearest_;  // CV_16SC2, the nearest pixel
 };
 
 }  // namespace scantrove

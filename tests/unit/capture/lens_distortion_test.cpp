@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace scantrove {
 namespace {
 
@@ -89,6 +91,18 @@ TEST(Undistorter, KeepsDepthsUnmixed) {
   for (int i = 0; i < 640 * 480; ++i) {
     const std::uint16_t value = straight.ptr<std::uint16_t>()[i];
     ASSERT_TRUE(value == 0 || value == 800 || value == 3000) << value;
+  }
+}
+
+TEST(Undistorter, TakesDepthsFromTheNearestPixel) {
+  cv::Mat columns(480, 640, CV_16UC1);
+  for (int u = 0; u < 640; ++u) columns.col(u) = u + 1;
+  const cv::Mat straight = Undistorter(kLens, kCamera).ofDepth(columns);
+  for (int v = 60; v < 420; v += 7) {
+    for (int u = 80; u < 560; u += 7) {
+      const double column = straight.at<std::uint16_t>(v, u) - 1.0;
+      EXPECT_LE(std::abs(column - bent(u, v).x), 0.51) << u << ' ' << v;
+    }
   }
 }
 
