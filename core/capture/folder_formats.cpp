@@ -8,6 +8,7 @@
 #include "core/capture/foundation_pose_folder.h"
 #include "core/capture/icl_nuim.h"
 #include "core/capture/numbered_folder.h"
+#include "core/capture/nyu_raw_folder.h"
 #include "core/capture/phones/phone_folders.h"
 #include "core/capture/replica_folder.h"
 #include "core/capture/scannet_folder.h"
@@ -81,6 +82,7 @@ const std::vector<FolderFormat>& folderFormats() {
       {"Replica", fitsFolder<isReplicaFolder>, openByFolder<openReplicaFolder>},
       {"ICL-NUIM", isIclNuimFolder, openIclNuimFolder},
       {"TUM RGB-D", fitsNames<isTumFolder>, openByFolder<openTumFolder>},
+      {"NYUv2 raw", fitsNames<isNyuRawFolder>, openNyuRawFolder},
       {"SceneNN", fitsFolder<isSceneNnFolder>, openByFolder<openSceneNnFolder>},
       {"FoundationPose", fitsFolder<isFoundationPoseFolder>, openByFolder<openFoundationPoseFolder>},
       {".sens file", fitsSens, openSensIn},

@@ -113,7 +113,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     cards->addWidget(card, row, column_index);
     return card;
   };
-  connect(add(0, 0, "folder", tr("Open folder…"), tr("7-Scenes, TUM, ScanNet, BOP, numbered images")),
+  connect(add(0, 0, "folder", tr("Open folder…"), tr("Phones, 7-Scenes, TUM, ScanNet, NYUv2, any images")),
           &QToolButton::clicked, this, &StartPage::folderRequested);
   connect(add(0, 1, "recording", tr("Open recording…"), tr("RealSense, Azure Kinect, ROS, Record3D, OpenNI")),
           &QToolButton::clicked, this, &StartPage::recordingRequested);
