@@ -69,3 +69,10 @@ find_path(BZ2_INCLUDE_DIR bzlib.h REQUIRED)
 find_library(BZ2_LIBRARY bz2 REQUIRED)
 find_path(SQLITE3_INCLUDE_DIR sqlite3.h REQUIRED)
 find_library(SQLITE3_LIBRARY sqlite3 REQUIRED)
+
+# The labels of NYUv2. The serial library, which VTK and OpenCV use as well; names of its own, because VTK looks for HDF5.
+find_path(HDF5_SERIAL_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)
+find_library(HDF5_SERIAL_LIBRARY hdf5_serial REQUIRED)
+add_library(scantrove_hdf5 INTERFACE)
+target_include_directories(scantrove_hdf5 SYSTEM INTERFACE ${HDF5_SERIAL_INCLUDE_DIR})
+target_link_libraries(scantrove_hdf5 INTERFACE ${HDF5_SERIAL_LIBRARY})
