@@ -5,6 +5,7 @@
 #include "app/image_evaluation.h"
 #include "app/json_output.h"
 #include "app/number_check.h"
+#include "app/nyu2_command.h"
 #include "app/recognition_evaluation.h"
 #include "app/segmentation_evaluation.h"
 #include "core/capture/trajectory_reader.h"
@@ -238,6 +239,7 @@ void addEvaluateCommand(CLI::App& app, CommandJob& job) {
   addCatalogue(*evaluate, command, job);
   addImages(*evaluate, command, job);
   addRecognition(*evaluate, command, job);
+  addEvaluateNyu2(*evaluate, job);
 }
 
 }  // namespace scantrove
