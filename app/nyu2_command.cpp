@@ -68,7 +68,7 @@ void addEvaluateNyu2(CLI::App& parent, CommandJob& job) {
       "n = 8. lost: images whose last frame tracking lost; the result of n = 1 counts for them.\n"
       "Prints table and CSV. With --out, also writes them with a picture of the curve, and keeps results:\n"
       "the same command continues an interrupted run.\n"
-      "All 1449 images take half a day on a fast processor; --frames and --every make it shorter.");
+      "All 1449 images are 304,000 frames, which takes hours; --frames and --every make it shorter.");
   Nyu2Evaluation& request = command->request;
   sub->add_option("--raw", request.raw,
                   "folder with the scenes of the raw data set, or with its parts (d-*.pgm, r-*.ppm)")
