@@ -1,6 +1,5 @@
 // `evaluate nyu2` on a small data set of the same layout as NYUv2, written from a synthetic room.
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
@@ -84,8 +83,8 @@ TEST(EvaluateNyu2, GivesTheErrorsOfScansThatEndWithTheLabelledFrames) {
   const double merged = (errorOfScan(data, kFrames - 1, 8, "labels") + errorOfScan(data, 8, 8, "labels")) / 2;
   EXPECT_NEAR(curve[0]["single"]["all"], single, 0.01);
   EXPECT_NEAR(curve[2]["merged"]["all"], merged, 0.01);
-  // A wall, a floor and two boxes, of 320 x 240 pixels without noise.
-  EXPECT_LT(curve[2]["merged"]["all"], 8);
+  // A wall, a floor and two boxes without noise: few boundaries are missing or wrong.
+  EXPECT_LT(curve[2]["merged"]["all"], 15);
 }
 
 TEST(EvaluateNyu2, PrintsTheTableAndWritesTheCurve) {

@@ -1,6 +1,8 @@
 // A raw scene of NYUv2: the names of its files, and one depth and one colour image.
 #include <spdlog/spdlog.h>
 
+#include <cmath>
+
 #include "core/base/text.h"
 #include "core/capture/nyu_raw_folder.h"
 #include "core/capture/nyu_raw_names.h"
