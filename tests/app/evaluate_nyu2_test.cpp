@@ -61,7 +61,9 @@ double errorOfScan(const SmallNyu& data, int last, int n, const std::string& kin
   char name[32];
   std::snprintf(name, sizeof name, "%06d.png", last);
   const LabeledImage labeled = data.room().labeled(last, "", "");
-  const cv::Mat1i truth = nyuInstances(labeled.labels, labeled.instances);
+  cv::Mat1w instances;
+  labeled.instances.convertTo(instances, CV_16U);
+  const cv::Mat1i truth = nyuInstances(labeled.labels, instances);
   return nyu2Error(labelsOf(out / "scan" / kind / name), truth).all;
 }
 
