@@ -108,7 +108,9 @@ cv::Mat1b insidePixels(const LabeledImage& labeled) {
   const cv::Mat kernel = cv::Mat::ones(7, 7, CV_8UC1);
   cv::erode(surfaces, lowest, kernel);
   cv::dilate(surfaces, highest, kernel);
-  return lowest == highest;
+  cv::Mat1b inside;
+  cv::compare(lowest, highest, inside, cv::CMP_EQ);
+  return inside;
 }
 
 TEST(NyuRawFolder, ShowsDepthAndColorFromTheUndistortedColorCamera) {
