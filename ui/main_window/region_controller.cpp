@@ -250,7 +250,10 @@ void RegionController::connectSplitter() {
           [this](RegionId region) { selection_.select(region); });
   connect(splitter_, &RegionSplitter::splitRequested, this,
           [this](const Operation& cut) { operations_.perform(cut); });
-  connect(&operations_, &RegionOperations::splitFailed, splitter_, &RegionSplitter::repeat);
+  connect(&operations_, &RegionOperations::splitFailed, this, [this](const QString& message) {
+    emit failed(message);
+    splitter_->repeat();
+  });
   connect(splitter_, &RegionSplitter::failed, this, &RegionController::failed);
 }
 

@@ -223,9 +223,13 @@ void RegionOperations::addStep(const Operation& operation) {
 }
 
 void RegionOperations::editFailed(const EditFailed& event) {
-  emit failed(QString::fromStdString(event.error.message()));
+  const QString message = QString::fromStdString(event.error.message());
   const auto* const operation = std::get_if<Operation>(&event.edit);
-  if (operation != nullptr && operation->kind == OperationKind::cut) emit splitFailed();
+  const bool is_split = operation != nullptr && operation->kind == OperationKind::cut;
+  if (is_split)
+    emit splitFailed(message);
+  else
+    emit failed(message);
   const auto failed = std::find_if(performed_.rbegin(), performed_.rend(), [operation](const auto& command) {
     return operation != nullptr && command->is(*operation);
   });

@@ -51,10 +51,10 @@ class RegionOperations : public QObject {
 
  signals:
   void nameGiven(const QString& name);
-  /// An operation failed or could not be stored.
+  /// An operation other than a split failed or could not be stored.
   void failed(const QString& message);
   /// A split failed; the region is as it was.
-  void splitFailed();
+  void splitFailed(const QString& message);
 
  private:
   class Command;

@@ -88,7 +88,6 @@ std::string kinectSizeText(const cv::Size& size) {
 
 Result<ContainerCameras> kinectCameras(const std::string& json, const cv::Size& depth, const cv::Size& color,
                                        const std::string& name) {
-  constexpr double kMillimeters = 1000;
   const auto broken = [&](const std::string& why) {
     return fail("The calibration in " + name + " cannot be used: " + why + ".",
                 "Give --intrinsics fx,fy,cx,cy and --color-registration.");
@@ -110,7 +109,7 @@ Result<ContainerCameras> kinectCameras(const std::string& json, const cv::Size& 
   ContainerCameras cameras;
   cameras.depth.K = depth_camera->intrinsics(*depth_mode);
   cameras.depth.lens = depth_camera->lens();
-  cameras.depth.units_per_meter = kMillimeters;
+  cameras.depth.units_per_meter = 1000;  // millimetres
   const auto color_mode = kinectMode(kColorModes, color);
   cameras.is_color_place_known = color_camera && color_mode;
   if (cameras.is_color_place_known) {

@@ -97,12 +97,11 @@ class KinectRecording final : public ContainerImages {
   [[nodiscard]] bool hasColor() const override { return color_ != nullptr; }
 
   [[nodiscard]] Result<ContainerCameras> cameras(const cv::Size& depth, const cv::Size& color) override {
-    constexpr double kMillimeters = 1000;
     const auto calibration = file_->attachments().find("calibration.json");
     if (calibration != file_->attachments().end())
       return kinectCameras(calibration->second, depth, color, file_->path().string());
     ContainerCameras cameras;
-    cameras.depth.units_per_meter = kMillimeters;
+    cameras.depth.units_per_meter = 1000;  // millimetres
     cameras.is_color_place_known = false;
     return cameras;
   }

@@ -136,9 +136,8 @@ class ScannetppImages {
 };
 
 std::optional<ImageSequenceEntry> scannetppEntry(const std::string& name, const nlohmann::json& frame) {
-  const auto number = name.starts_with(kFrameKey)
-                          ? parseFrameNumber(std::string_view(name).substr(kFrameKey.size()))
-                          : std::nullopt;
+  if (!name.starts_with(kFrameKey)) return std::nullopt;
+  const auto number = parseFrameNumber(std::string_view(name).substr(kFrameKey.size()));
   const auto matrix = numbersOf(frame, "intrinsic", 9);
   if (!number || !matrix) return std::nullopt;
   ImageSequenceEntry entry;
