@@ -10,6 +10,12 @@
 #include "core/evaluation/hdf5_handle.h"
 
 namespace scantrove {
+/// An array of numbers in the file.
+struct NyuNumberArray {
+  Hdf5Dataset dataset;
+  std::array<hsize_t, 3> shape{};  ///< images, columns, rows
+};
+
 namespace {
 
 constexpr hsize_t kLongestSide_px = 8192;
@@ -18,12 +24,6 @@ constexpr hsize_t kLongestName = 4096;
 /// HDF5 reads whole chunks. Those of MATLAB hold a few megabytes.
 constexpr std::uint64_t kLargestChunkBytes = std::uint64_t{1} << 30;
 constexpr const char* kDownloadAdvice = "Download nyu_depth_v2_labeled.mat again.";
-
-/// An array of numbers in the file.
-struct NumberArray {
-  Hdf5Dataset dataset;
-  std::array<hsize_t, 3> shape{};  ///< images, columns, rows
-};
 
 std::vector<hsize_t> shapeOf(const Hdf5Dataset& dataset) {
   const Hdf5Space space(H5Dget_space(dataset.id()));
@@ -61,9 +61,9 @@ Hdf5Dataset openDataset(const Hdf5File& file, const char* name) {
   return Hdf5Dataset(H5Dopen2(file.id(), name, H5P_DEFAULT));
 }
 
-Result<NumberArray> openArray(const Hdf5File& file, const char* name, H5T_class_t of_class,
-                              const std::string& path) {
-  NumberArray array;
+Result<NyuNumberArray> openArray(const Hdf5File& file, const char* name, H5T_class_t of_class,
+                                 const std::string& path) {
+  NyuNumberArray array;
   array.dataset = openDataset(file, name);
   if (!array.dataset) return fail(path + " has no array '" + name + "'.", kDownloadAdvice);
   const std::vector<hsize_t> shape = shapeOf(array.dataset);
@@ -135,11 +135,11 @@ bool isRelativeName(const std::string& name) {
 struct NyuLabeledFile::Contents {
   std::string path;
   Hdf5File file;
-  NumberArray labels, instances, depths;
+  NyuNumberArray labels, instances, depths;
 
   /// Image `number` as it is seen: HDF5 has columns where the image has rows.
   template <class Value>
-  [[nodiscard]] Result<cv::Mat_<Value>> read(const NumberArray& array, std::size_t number, hid_t type,
+  [[nodiscard]] Result<cv::Mat_<Value>> read(const NyuNumberArray& array, std::size_t number, hid_t type,
                                              const char* name) const {
     SCANTROVE_CHECK(number < array.shape[0]);
     const Hdf5Silence quiet;
