@@ -23,7 +23,8 @@ std::string plain(double value) {
 
 std::string rangeOf(const ParamInfo& info) {
   if (info.file) return "a file or off";
-  if (info.choices.empty()) return plain(info.minimum) + " .. " + plain(info.maximum);
+  if (info.isNumber())
+    return plain(info.minimum) + " .. " + plain(info.maximum) + (info.can_be_automatic ? "|auto" : "");
   std::string words;
   for (const std::string& choice : info.choices) words += (words.empty() ? "" : "|") + choice;
   return words;
@@ -41,12 +42,14 @@ void printParamsAsJson(const ScanParams& params) {
   Json list = Json::array();
   for (const ParamInfo& info : paramRegistry()) {
     const auto value = [&](const ScanParams& from) {
-      return info.isNumber() ? Json::parse(info.text(from)) : Json(info.text(from));
+      return info.isNumber() && !info.isAutomatic(from) ? Json::parse(info.text(from))
+                                                        : Json(info.text(from));
     };
     Json entry = {
         {"key", info.key}, {"value", value(params)}, {"default", value(ScanParams{})}, {"unit", info.unit}};
     if (info.isNumber()) {
       entry["range"] = {info.minimum, info.maximum};
+      entry["can_be_auto"] = info.can_be_automatic;
     } else if (!info.choices.empty()) {
       entry["choices"] = info.choices;
     } else {

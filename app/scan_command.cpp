@@ -39,9 +39,11 @@ void printSummary(const ScanReport& report, const std::string& out) {
   if (frames.dropped > 0) std::cout << ", " << frames.dropped << " dropped";
   std::cout << "\nspeed    " << report.fps << " fps (frame " << report.frame_median_ms << " ms median, "
             << report.frame_p95_ms << " ms p95) on " << inLine(report.device) << "\nmap      "
-            << report.map_bricks << " bricks, " << report.map_megabytes << " MiB; peak memory "
-            << report.peak_memory_mb << " MiB\nregions  " << report.regions << "\nobjects  "
-            << report.objects.size() - known << " new, " << known << " recognised";
+            << report.map_bricks << " bricks of voxels of "
+            << 1000 * static_cast<double>(report.params.fusion.voxel_size_m) << " mm, "
+            << report.map_megabytes << " MiB; peak memory " << report.peak_memory_mb << " MiB\nregions  "
+            << report.regions << "\nobjects  " << report.objects.size() - known << " new, " << known
+            << " recognised";
   const char* separator = ": ";
   for (const CollectedObject& object : report.objects) {
     std::cout << separator << inLine(object.name);

@@ -2,7 +2,10 @@
 
 namespace scantrove {
 
-/// Dense mapping: depth filter, tracker, brick map (thesis 2.2 and 3.1).
+/// Value of a parameter that fitToSensor() replaces.
+inline constexpr float kAutomatic = -1;
+
+/// Dense mapping: depth filter, tracker, brick map (thesis 2.2 and 3.1). The defaults fit a Kinect.
 struct FusionParams {
   float voxel_size_m = 3.0F / 512.0F;
   float truncation_vox = 4.0F;  ///< half width of the signed-distance band

@@ -103,13 +103,14 @@ void LabelCloud::writeLabels(const SurfaceMaps& surface, const LabelingParams& p
   ++stamp_;
   const Intrinsics& K = surface.K;
   const Lanes& lanes = compute_.lanes();
-  update_labels_.launch(
-      lanes.inTurn(pixels_host_.size()), lanes.inTurnGroup(), surface.vertices_world, pixels_, new_labels_,
-      static_cast<cl_int>(pixels_host_.size()), surface.window.cells(), map.device().pageSlots(),
-      surface.window.size(), surface.window.first(), map.device().table(), map.device().tableMask(),
-      toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width},
-      map.voxelSize(), params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},
-      cl_int{stamp_}, map.pools().labels(), fragment_voxels_, stamps_, touched_count_, touched_);
+  update_labels_.launch(lanes.inTurn(pixels_host_.size()), lanes.inTurnGroup(), surface.vertices_world,
+                        pixels_, new_labels_, static_cast<cl_int>(pixels_host_.size()),
+                        surface.window.cells(), map.device().pageSlots(), surface.window.size(),
+                        surface.window.first(), map.device().table(), map.device().tableMask(),
+                        toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
+                        cl_int{K.width}, map.voxelSize(), params.update_distance_vox * map.voxelSize(),
+                        params.reach_of_depth, cl_int{params.voxel_confidence ? 1 : 0}, cl_int{stamp_},
+                        map.pools().labels(), fragment_voxels_, stamps_, touched_count_, touched_);
   cl_int touched = 0;
   touched_count_.read(compute_.queue(), std::span<cl_int>(&touched, 1));
   touched_slots_.resize(static_cast<std::size_t>(touched));

@@ -17,6 +17,9 @@ struct LabelingParams {
   bool voxel_confidence =
       true;  ///< agree +1, disagree -1, replace at 0; false = overwrite as Algorithm 1 does
   float update_distance_vox = 1.0F;  ///< distthresh in voxels; at least sqrt(3)/2
+  /// Least distthresh over depth: half the diagonal of a depth pixel at 1 m, so that voxels between pixels
+  /// get labels. 0: none. A MappingPipeline sets it by its camera.
+  float reach_of_depth = 0;
 };
 
 }  // namespace scantrove

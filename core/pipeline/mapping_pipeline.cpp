@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -9,13 +10,17 @@
 #include "core/compute/guarded.h"
 #include "core/discovery/rule_based_finder.h"
 #include "core/fusion/color_projection.h"
+#include "core/fusion/sensor_fit.h"
 #include "core/pipeline/map_memory.h"
 #include "core/segmentation/supported_segments.h"
 
 namespace scantrove {
 
 Result<std::unique_ptr<MappingPipeline>> MappingPipeline::create(ComputeContext& compute,
-                                                                 const Setup& setup) {
+                                                                 const Setup& asked) {
+  Setup setup = asked;
+  setup.params.fusion = fitToSensor(setup.params.fusion, {setup.K, std::nullopt});
+  setup.params.labeling.reach_of_depth = std::numbers::sqrt2_v<float> / 2 / setup.K.fx;
   const MappingParams& params = setup.params;
   SCANTROVE_TRY(checkMapFits(params.fusion, setup.K, compute.memory()));
   std::unique_ptr<MappingPipeline> pipeline(new MappingPipeline(compute, setup));
@@ -256,9 +261,11 @@ Result<SegmentMap> MappingPipeline::segmentMapFrom(const Eigen::Isometry3d& T_wo
 
 void MappingPipeline::setParams(const MappingParams& params) {
   const FusionParams fusion = params_.fusion;
+  const float reach_of_depth = params_.labeling.reach_of_depth;
   if (params.labeling.rule != params_.labeling.rule) labels_->setRule(params.labeling.rule);
   params_ = params;
   params_.fusion = fusion;
+  params_.labeling.reach_of_depth = reach_of_depth;
   finder_->setParams(params_.discovery);
 }
 

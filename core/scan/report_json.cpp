@@ -15,9 +15,19 @@ using Json = nlohmann::ordered_json;
 Json paramsToJson(const ScanParams& params) {
   Json json = Json::object();
   for (const ParamInfo& info : paramRegistry()) {
-    json[info.key] = info.isNumber() ? Json::parse(info.text(params)) : Json(info.text(params));
+    json[info.key] = info.isNumber() && !info.isAutomatic(params) ? Json::parse(info.text(params))
+                                                                  : Json(info.text(params));
   }
   return json;
+}
+
+Json sensorToJson(const DepthSensor& sensor) {
+  const Intrinsics& K = sensor.K;
+  return {{"width", K.width},
+          {"height", K.height},
+          {"focal_px", K.fx},
+          {"median_depth_m", sensor.median_depth_m ? Json(*sensor.median_depth_m) : Json(nullptr)},
+          {"footprint_mm", K.fx > 0 ? Json(1000 * sensor.footprint_m()) : Json(nullptr)}};
 }
 
 Json stagesToJson(const std::vector<ScanReport::Stage>& stages) {
@@ -49,6 +59,7 @@ Json reportToJson(const ScanReport& report) {
   return {{"source", report.source},
           {"device", report.device},
           {"params", paramsToJson(report.params)},
+          {"sensor", sensorToJson(report.sensor)},
           {"frames",
            {{"read", frames.read},
             {"tracked", frames.tracked},

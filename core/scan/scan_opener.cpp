@@ -1,12 +1,17 @@
 #include "core/scan/scan_opener.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "core/capture/depth_plausibility.h"
 #include "core/capture/no_frames.h"
+#include "core/capture/peeked_source.h"
+#include "core/capture/usable_depth.h"
 #include "core/catalogue/object_database.h"
 #include "core/scan/open_source.h"
 #include "core/session/catalogue_numbers.h"
@@ -47,6 +52,7 @@ Result<void> ScanOpener::openAll() {
                 "Leave out --poses given.");
   }
   const ScanRequest& request = parts_.request;
+  if (!request.refine_session) fitMapToSensor();
   SCANTROVE_TRY(moveInto(parts_.compute, ComputeContext::create({.device = request.device,
                                                                  .profiling = request.profile_kernels,
                                                                  .on_compiling = [&listener = listener_] {
@@ -69,6 +75,23 @@ Result<void> ScanOpener::checkFolder() const {
 Result<void> ScanOpener::openFrames() {
   if (parts_.request.refine_session) return openSessionToRefine();
   return moveInto(parts_.source, openSource(parts_.request.source, parts_.request.source_options));
+}
+
+void ScanOpener::fitMapToSensor() {
+  auto source = std::make_unique<PeekedSource>(std::move(parts_.source));
+  parts_.sensor.K = source->info().intrinsics;
+  const FrameRead& first = source->peek();
+  if (first.status == FrameRead::Status::frame) {
+    parts_.sensor.median_depth_m =
+        medianDepth(usableDepth(first.frame), static_cast<double>(first.frame.meters_per_unit));
+  }
+  parts_.source = std::move(source);
+  FusionParams& fusion = parts_.request.params.fusion;
+  const FusionParams asked = std::exchange(fusion, fitToSensor(fusion, parts_.sensor));
+  if (asked.voxel_size_m == fusion.voxel_size_m || fusion.voxel_size_m == FusionParams{}.voxel_size_m) return;
+  spdlog::info("{}: a depth pixel covers {:.1f} mm at {:.1f} m, so the map has voxels of {:.1f} mm.",
+               parts_.source->info().name, 1000 * parts_.sensor.footprint_m(), parts_.sensor.usualDepth_m(),
+               1000 * fusion.voxel_size_m);
 }
 
 Result<void> ScanOpener::openSessionToRefine() {

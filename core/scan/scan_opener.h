@@ -31,6 +31,8 @@ class ScanOpener {
   [[nodiscard]] Result<void> checkFolder() const;
   /// Opens the source of the frames; to refine a session, the session.
   [[nodiscard]] Result<void> openFrames();
+  /// Replaces automatic parameters, by the camera and the first frame.
+  void fitMapToSensor();
   [[nodiscard]] Result<void> openSessionToRefine();
   /// A session may have been copied without the network of the scan.
   void dropMissingNetwork();

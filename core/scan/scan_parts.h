@@ -8,6 +8,7 @@
 #include "core/capture/frame_source.h"
 #include "core/capture/local_poses.h"
 #include "core/compute/compute_context.h"
+#include "core/fusion/sensor_fit.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/refinement/refinement_memory.h"
 #include "core/scan/frame_counts.h"
@@ -23,6 +24,7 @@ struct ScanParts {
   ScanRequest request;                        ///< completed from the earlier scan
   std::function<void()> on_catalogue_events;  ///< called on another thread
   std::unique_ptr<FrameSource> source;
+  DepthSensor sensor;                                      ///< for which automatic parameters were chosen
   ContinuedSource* continued = nullptr;                    ///< `source` if the scan continues with it
   LocalPoses* local_poses = nullptr;                       ///< `source` or inside it, if its poses are used
   Eigen::Vector3d origin_world = Eigen::Vector3d::Zero();  ///< of the map, in the recording's world

@@ -6,6 +6,7 @@
 #include "core/base/ids.h"
 #include "core/base/stage_timer.h"
 #include "core/collection/collected_object.h"
+#include "core/fusion/sensor_fit.h"
 #include "core/scan/frame_counts.h"
 #include "core/session/scan_params.h"
 
@@ -49,6 +50,7 @@ struct ScanReport {
   };
   std::vector<Kernel> kernels;  ///< most expensive first; empty unless profiled
   double peak_memory_mb = 0;
+  DepthSensor sensor;  ///< for which automatic parameters were chosen; `params` has the chosen ones
   int map_bricks = 0;
   double map_megabytes = 0;              ///< device memory, MiB
   double map_disk_megabytes = 0;         ///< of the part on disk, compressed, MiB

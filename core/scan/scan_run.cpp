@@ -327,6 +327,7 @@ void ScanRun::fillReport(ScanReport& report) {
   std::sort(report.kernels.begin(), report.kernels.end(),
             [](const auto& a, const auto& b) { return a.mean_ms > b.mean_ms; });
   report.peak_memory_mb = peakMemoryMegabytes();
+  report.sensor = parts_.sensor;
   report.map_bricks = pipeline.bricks().brickCount();
   report.map_megabytes = static_cast<double>(pipeline.bricks().device().bytes()) / (1 << 20);
   report.map_disk_megabytes = static_cast<double>(pipeline.bricks().storedBytes()) / (1 << 20);

@@ -11,6 +11,7 @@
 #include "core/capture/intrinsics.h"
 #include "core/collection/seen_object.h"
 #include "core/discovery/region_set.h"
+#include "core/fusion/fusion_params.h"
 #include "core/scan/frame_counts.h"
 #include "core/scan/packed_surface.h"
 #include "core/scan/region_info.h"
@@ -87,7 +88,8 @@ struct ScanSnapshot {
     double ms = 0;
   };
   std::vector<StageTime> stage_times;
-  double fps = 0;  ///< over the last second of processing
+  double fps = 0;                                    ///< over the last second of processing
+  float voxel_size_m = FusionParams{}.voxel_size_m;  ///< of the map
   int map_bricks = 0;
   double map_megabytes = 0;
   int region_count = 0;

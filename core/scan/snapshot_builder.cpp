@@ -148,6 +148,7 @@ Result<void> SnapshotBuilder::post(MappingPipeline& pipeline, const ScanProgress
     snapshot->stage_times.push_back({stage.name, stage.last_ms});
   }
   snapshot->fps = fps_;
+  snapshot->voxel_size_m = pipeline.bricks().voxelSize();
   snapshot->map_bricks = pipeline.bricks().brickCount();
   snapshot->map_megabytes = static_cast<double>(pipeline.bricks().device().bytes()) / (1 << 20);
   snapshot->region_count = countRegions(result_.view);

@@ -18,6 +18,7 @@ namespace scantrove {
 namespace {
 
 constexpr const char* kNoFile = "off";
+constexpr const char* kAutomaticText = "auto";
 
 template <class Group, class Value>
 ParamInfo number(std::string key, Group ScanParams::*group, Value Group::*member, std::string unit,
@@ -27,6 +28,7 @@ ParamInfo number(std::string key, Group ScanParams::*group, Value Group::*member
                  minimum,
                  maximum,
                  std::is_integral_v<Value>,
+                 false,
                  std::move(help),
                  {},
                  {},
@@ -42,7 +44,7 @@ template <class Group, class Value>
 ParamInfo choice(std::string key, Group ScanParams::*group, Value Group::*member,
                  std::vector<std::string> choices, std::string help) {
   const auto last = static_cast<double>(choices.size() - 1);
-  ParamInfo info{std::move(key), "", 0, last, true, std::move(help), std::move(choices), {}, {}, {}};
+  ParamInfo info{std::move(key), "", 0, last, true, false, std::move(help), std::move(choices), {}, {}, {}};
   info.get = [=](const ScanParams& params) { return static_cast<double>(params.*group.*member); };
   info.set = [=](ScanParams& params, double value) {
     params.*group.*member = static_cast<Value>(static_cast<int>(value));
@@ -52,10 +54,15 @@ ParamInfo choice(std::string key, Group ScanParams::*group, Value Group::*member
 
 template <class Group>
 ParamInfo fileName(std::string key, Group ScanParams::*group, std::string Group::*member, std::string help) {
-  ParamInfo info{std::move(key), "", 0, 0, false, std::move(help), {}, {}, {}, {}};
+  ParamInfo info{std::move(key), "", 0, 0, false, false, std::move(help), {}, {}, {}, {}};
   info.get = [](const ScanParams&) { return 0.0; };
   info.set = [](ScanParams&, double) {};
   info.file = [=](ScanParams& params) -> std::string& { return params.*group.*member; };
+  return info;
+}
+
+ParamInfo orAutomatic(ParamInfo info) {
+  info.can_be_automatic = true;
   return info;
 }
 
@@ -71,9 +78,12 @@ std::vector<ParamInfo> makeRegistry() {
   D ScanParams::*const d = &ScanParams::discovery;
   const auto c = &ScanParams::detection;
   return {
-      number("fusion.voxel_size_m", f, &F::voxel_size_m, "m", 0.001, 0.1, "side of a voxel of the map"),
-      number("fusion.min_depth_m", f, &F::min_depth_m, "m", 0, 5, "nearer readings are ignored"),
-      number("fusion.max_depth_m", f, &F::max_depth_m, "m", 0.2, 20, "farther readings are ignored"),
+      orAutomatic(number("fusion.voxel_size_m", f, &F::voxel_size_m, "m", 0.001, 0.1,
+                         "side of a voxel of the map (auto: by the footprint of a depth pixel)")),
+      orAutomatic(number("fusion.min_depth_m", f, &F::min_depth_m, "m", 0, 5,
+                         "nearer readings are ignored (auto: 0.3 m, less on close-ups)")),
+      orAutomatic(number("fusion.max_depth_m", f, &F::max_depth_m, "m", 0.2, 20,
+                         "farther readings are ignored (auto: 5 m, more in halls)")),
       number("fusion.memory_budget_mb", f, &F::memory_budget_mb, "MiB", 0, 1000000,
              "memory of the map; the rest is stored on disk (0: a quarter of the machine's)"),
       number("fusion.working_width", f, &F::working_width, "px", 40, 1920,
@@ -187,6 +197,10 @@ Result<void> setText(ScanParams& params, const ParamInfo& info, const std::strin
     for (const std::string& word : info.choices) words += (words.empty() ? "" : ", ") + word;
     return fail("'" + text + "' is no value of '" + info.key + "'.", "Choose one of: " + words + ".");
   }
+  if (info.can_be_automatic && text == kAutomaticText) {
+    info.set(params, static_cast<double>(kAutomatic));
+    return {};
+  }
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, failure] = std::from_chars(text.data(), end, value);
@@ -234,7 +248,12 @@ bool hasDeepKey(std::string_view text) {
 
 }  // namespace
 
+bool ParamInfo::isAutomatic(const ScanParams& params) const {
+  return can_be_automatic && get(params) == static_cast<double>(kAutomatic);
+}
+
 std::string ParamInfo::text(const ScanParams& params) const {
+  if (isAutomatic(params)) return kAutomaticText;
   if (file) {
     ScanParams copy = params;
     return file(copy).empty() ? kNoFile : file(copy);

@@ -16,6 +16,7 @@ struct ParamInfo {
   double minimum = 0;
   double maximum = 0;
   bool is_integer = false;                       ///< only whole numbers
+  bool can_be_automatic = false;                 ///< kAutomatic, in words "auto", is a value, too
   std::string help;                              ///< one line
   std::vector<std::string> choices;              ///< non-empty: the value is one of these words
   std::function<double(const ScanParams&)> get;  ///< choices: the index of the word; of a file 0
@@ -24,7 +25,8 @@ struct ParamInfo {
   std::function<std::string&(ScanParams&)> file = {};
 
   [[nodiscard]] bool isNumber() const { return choices.empty() && !file; }
-  /// The value as it would be written in a configuration file; "off": no file.
+  [[nodiscard]] bool isAutomatic(const ScanParams& params) const;
+  /// The value as it would be written in a configuration file; "off": no file, "auto": by the sensor.
   [[nodiscard]] std::string text(const ScanParams& params) const;
 };
 

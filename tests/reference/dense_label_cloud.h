@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -31,9 +32,11 @@ struct DenseLabelCloud {
            static_cast<std::size_t>(x);
   }
 
-  /// `vertices`: world, w = 0 if none. `merged`: S_cloud,t; pixels without fragment write nothing.
+  /// `vertices`: world, w = 0 if none. `merged`: S_cloud,t; pixels without fragment write nothing. distthresh
+  /// of a pixel is at least `reach_of_depth` times the depth of its vertex.
   void update(const std::vector<Eigen::Vector4f>& vertices, const std::vector<FragmentId>& merged,
-              const Intrinsics& K, const Eigen::Isometry3d& T_world_camera, float distthresh) {
+              const Intrinsics& K, const Eigen::Isometry3d& T_world_camera, float distthresh,
+              float reach_of_depth = 0) {
     const Eigen::Matrix4f T_camera_world = T_world_camera.inverse().matrix().cast<float>();
     for (int z = 0; z < side; ++z) {
       for (int y = 0; y < side; ++y) {
@@ -47,7 +50,8 @@ struct DenseLabelCloud {
           if (column < 0 || row < 0 || column >= K.width || row >= K.height) continue;
           const auto pixel = static_cast<std::size_t>(row * K.width + column);
           if (vertices[pixel].w() == 0 || !merged[pixel]) continue;
-          if ((vertices[pixel].head<3>() - v_g).norm() < distthresh)
+          const float depth = (T_camera_world * vertices[pixel]).z();
+          if ((vertices[pixel].head<3>() - v_g).norm() < std::max(distthresh, reach_of_depth * depth))
             labels[indexOf(x, y, z)] = merged[pixel].value;
         }
       }

@@ -56,7 +56,6 @@ void ScanDisplay::begin(const QString& source) {
   window_.setWindowTitle(tr("%1 — Scantrove").arg(sourceTitle(source)));
   parts_.progress->begin(sourceTitle(source));
   parts_.scene->view()->clearScene();
-  parts_.scene->view()->scene().setVoxelSize(window_.controller().request().params.fusion.voxel_size_m);
   parts_.frames->clear();
   window_.regions().beginScan();
   window_.guide().beginScan();
@@ -73,6 +72,7 @@ void ScanDisplay::showSnapshot(const std::shared_ptr<const ScanSnapshot>& collec
   const ScanSnapshot& snapshot = *collected;
   if (!has_snapshot_) {
     has_snapshot_ = true;
+    parts_.scene->view()->scene().setVoxelSize(snapshot.voxel_size_m);
     if (window_.controller().hasSource()) addRecentSource(window_.controller().source());
   }
   window_.regions().showSnapshot(snapshot);

@@ -144,21 +144,25 @@ void ParamsPanel::addField(QFormLayout* form, const std::string& key, const QStr
 
 QWidget* ParamsPanel::makeField(const ParamInfo& info) {
   auto* number = new QDoubleSpinBox;
-  const double value = info.get(params_);
   const bool is_integer = info.unit == "frames" || info.unit == "px" || info.unit == "views";
-  const int decimals = is_integer ? 0 : (value < 0.02 ? 4 : 2);
-  number->setDecimals(decimals);
+  const bool is_small = info.can_be_automatic ? info.maximum < 1 : info.get(params_) < 0.02;
+  const double step = is_integer ? 1 : (is_small ? 0.0005 : 0.05);
+  number->setDecimals(is_integer ? 0 : (is_small ? 4 : 2));
   number->setRange(info.minimum, info.maximum);
-  number->setSingleStep(is_integer ? 1 : (value < 0.02 ? 0.0005 : 0.05));
+  number->setSingleStep(step);
+  if (info.can_be_automatic) {
+    number->setMinimum(info.minimum - step);
+    number->setSpecialValueText(tr("auto"));
+  }
   if (!info.unit.empty()) number->setSuffix(QLatin1Char(' ') + QString::fromStdString(info.unit));
   number->setKeyboardTracking(false);
   connect(number, &QDoubleSpinBox::valueChanged, this, [this, &info](double entered) {
-    info.set(params_, entered);
+    info.set(params_, entered < info.minimum ? static_cast<double>(kAutomatic) : entered);
     emit changed(params_);
   });
   refreshers_.emplace_back([this, &info, number] {
     const QSignalBlocker quiet(number);
-    number->setValue(info.get(params_));
+    number->setValue(info.isAutomatic(params_) ? number->minimum() : info.get(params_));
   });
   refreshers_.back()();
   return number;

@@ -165,9 +165,13 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
   showSpeed(snapshot);
 
   const QLocale locale;
-  map_->setText(tr("%1 regions   %2 bricks   %3 MB")
+  QString map = tr("%1 regions   %2 bricks   %3 MB")
                     .arg(locale.toString(snapshot.region_count), locale.toString(snapshot.map_bricks),
-                         locale.toString(snapshot.map_megabytes, 'f', 0)));
+                         locale.toString(snapshot.map_megabytes, 'f', 0));
+  const QString voxel = locale.toString(1000 * static_cast<double>(snapshot.voxel_size_m), 'f', 1);
+  if (snapshot.voxel_size_m != FusionParams{}.voxel_size_m) map += tr("   voxels %1 mm").arg(voxel);
+  map_->setText(map);
+  map_->setToolTip(tr("The map has voxels of %1 mm").arg(voxel));
   QStringList losses;
   if (snapshot.frames.lost > 0) losses << tr("%1 lost").arg(snapshot.frames.lost);
   if (snapshot.frames.skipped > 0) losses << tr("%1 unreadable").arg(snapshot.frames.skipped);

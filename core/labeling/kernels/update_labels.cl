@@ -1,6 +1,8 @@
 // Label cloud update (thesis, Algorithms 1 and 2), pixel by pixel. The algorithm visits every voxel of space:
 //   v_g = (voxel + 0.5) * voxel_size projects to pixel u = floor(K (T_camera_world v_g) + 0.5) with depth > 0;
-//   if |V_t(u) - v_g| < reach and S_cloud,t(u) != 0, the voxel takes S_cloud,t(u).
+//   if |V_t(u) - v_g| < reach(u) and S_cloud,t(u) != 0, the voxel takes S_cloud,t(u).
+// reach(u) is the larger of `reach` and reach_of_depth times the depth of V_t(u): half the diagonal of what a pixel of the
+// camera covers, so that no voxel between two pixels keeps another label. At most MAX_REACH_VOX voxels.
 // A voxel is seen in at most one pixel, and only voxels within reach of that pixel's vertex are written. So each pixel visits the
 // voxels around its vertex and writes those seen in it. The result is the same, and no voxel is written twice.
 // With confidence: a voxel of the same fragment gains one (up to the cap); one of another fragment loses one and changes at
@@ -144,6 +146,9 @@ inline void change_waiting(const Cloud* cloud, WaitingVoxels* waiting, const int
   waiting->count = 0;
 }
 
+// sides up to 12 (voxel_in_cube())
+#define MAX_REACH_VOX 5.0f
+
 // Voxel n of a cube of side^3; per_side = 65536 / side + 1 replaces a slow division. Exact for sides up to 12.
 inline int3 voxel_in_cube(const int n, const int side, const int per_side) {
   const int row = (n * per_side) >> 16;
@@ -163,12 +168,11 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
                           const int4 first, global const BrickEntry* table, const uint mask,
                           const float16 T_camera_world,
                           const float4 K, const int width, const float voxel_size,
-                          const float reach, const int use_confidence, const int stamp,
+                          const float reach, const float reach_of_depth, const int use_confidence, const int stamp,
                           global uint* labels, volatile global int* fragment_voxels, volatile global int* stamps,
                           volatile global int* touched_count, global int* touched) {
   const float16 T = T_camera_world;
   const float per_metre = 1.0f / voxel_size;
-  const float around = reach * per_metre + 1e-3f; /* voxels; a little more against rounding */
   const int begin = LANES * (int)get_global_id(0);
   if (begin >= count) return;
   const intN listed = min(begin + LANE, (intN)(count - 1));
@@ -179,6 +183,13 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
   if (!any_lane(active)) return;
   const intN row = pixel / width;
   const intN column = pixel - row * width;
+
+  const floatN depth_m = T.s8 * vertex.x + T.s9 * vertex.y + T.sa * vertex.z + T.sb;
+  const floatN reach_here = min(max((floatN)(reach), reach_of_depth * depth_m), (floatN)(max(reach, MAX_REACH_VOX * voxel_size)));
+  float reaches[LANES], longest = reach;
+  STORE(active ? reach_here : (floatN)(reach), reaches);
+  for (int lane = 0; lane < LANES; ++lane) longest = max(longest, reaches[lane]);
+  const float around = longest * per_metre + 1e-3f; /* voxels; a little more against rounding */
 
   // Voxels whose centres may lie within reach, along each axis: two or three of them for a reach of one voxel.
   const int side = (int)floor(2.0f * around) + 1;
@@ -206,7 +217,7 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
       const floatN y = (y0 + (float)n.y + 0.5f) * voxel_size;
       const floatN z = (z0 + (float)n.z + 0.5f) * voxel_size;
       const floatN dx = vertex.x - x, dy = vertex.y - y, dz = vertex.z - z;
-      const intN near = active & where(dx * dx + dy * dy + dz * dz < reach * reach);
+      const intN near = active & where(dx * dx + dy * dy + dz * dz < reach_here * reach_here);
       if (!any_lane(near)) continue;
       const floatN depth = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
       const floatN u = K.x * (T.s0 * x + T.s1 * y + T.s2 * z + T.s3) / depth + K.z + 0.5f;

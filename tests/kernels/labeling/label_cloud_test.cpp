@@ -157,15 +157,20 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithm_OverSeveralFrames) {
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
   LabelingParams params;
   params.voxel_confidence = false;  // Algorithm 1 overwrites
-  for (const float reach_vox : {0.8660254F, 1.0F, 1.7F}) {
+  struct Reach {
+    float vox, of_depth;
+  };
+  // The last: 4 mm at the sphere, where one voxel is more, and up to 9 mm at the plane.
+  for (const auto& [reach_vox, of_depth] : {Reach{0.8660254F, 0}, {1.0F, 0}, {1.7F, 0}, {1.0F, 0.02F}}) {
     params.update_distance_vox = reach_vox;
+    params.reach_of_depth = of_depth;
     for (int frame = 0; frame < 3; ++frame) {
       const Eigen::Isometry3d T = cameraAt(0.02 * frame, -0.015 * frame, 0.05 * frame);
       const std::vector<Eigen::Vector4f> vertices = renderScene(T);
       const std::vector<FragmentId> merged =
           randomPatches(static_cast<unsigned>(frame), 1 + 20U * static_cast<std::uint32_t>(frame));
       (void)cloud_->update(toSurface(vertices, T), merged, {}, params, *bricks_);
-      dense.update(vertices, merged, kCamera, T, reach_vox * kVoxel);
+      dense.update(vertices, merged, kCamera, T, reach_vox * kVoxel, of_depth);
     }
   }
   std::size_t labeled = 0;

@@ -25,7 +25,7 @@ TEST(ParamRegistry, HasUniqueKeysAndDefaultsInRange) {
   const ScanParams defaults;
   for (const ParamInfo& info : paramRegistry()) {
     EXPECT_TRUE(keys.insert(info.key).second) << info.key;
-    EXPECT_GE(info.get(defaults), info.minimum) << info.key;
+    if (!info.isAutomatic(defaults)) EXPECT_GE(info.get(defaults), info.minimum) << info.key;
     EXPECT_LE(info.get(defaults), info.maximum) << info.key;
     EXPECT_FALSE(info.help.empty()) << info.key;
   }
@@ -43,6 +43,22 @@ TEST(ParamRegistry, ReadsBackWhatWasSet) {
       EXPECT_EQ(info.get(again), info.get(params)) << info.key;
     }
   }
+}
+
+TEST(ParamRegistry, ReadsAutomaticValues_WhereASensorDecides) {
+  ScanParams params;
+  const auto info = std::ranges::find(paramRegistry(), "fusion.voxel_size_m", &ParamInfo::key);
+  EXPECT_EQ(info->text(params), "auto");
+  ASSERT_TRUE(applySetting(params, "fusion.voxel_size_m=0.01"));
+  EXPECT_FALSE(info->isAutomatic(params));
+  ASSERT_TRUE(applySetting(params, "fusion.voxel_size_m=auto"));
+  EXPECT_TRUE(info->isAutomatic(params));
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(applySetting(params, "fusion.voxel_size_m=0.01"));
+  ASSERT_TRUE(loadConfig(params, folder.write("c.toml", "[fusion]\nvoxel_size_m = \"auto\"\n")));
+  EXPECT_TRUE(info->isAutomatic(params));
+  EXPECT_THAT(refusal("fusion.voxel_size_m=-1"), HasSubstr("out of range"));
+  EXPECT_THAT(refusal("segmentation.k=auto"), HasSubstr("is no number"));
 }
 
 TEST(ParamRegistry, TextKeepsEveryBit) {
