@@ -181,8 +181,9 @@ inline std::string mcapBytes(const ContainerMessages& messages, const McapLayout
       std::string content = definitions;
       std::vector<std::string> entries(topicsOf(messages).size());
       for (const ContainerMessage& message : part) {
-        entries[topicNumber(messages, message.topic)] +=
-            raw(message.time_ns) + raw(static_cast<std::uint64_t>(content.size()));
+        std::string& entry = entries[topicNumber(messages, message.topic)];
+        entry += raw(message.time_ns);
+        entry += raw(static_cast<std::uint64_t>(content.size()));
         content += messageRecord(message);
       }
       const std::string stored = compressedBy(layout.compression, content);

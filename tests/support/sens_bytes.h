@@ -69,10 +69,13 @@ struct SensFileBytes {
     file += sensMatrix(kSensIdentity) + sensNumber(color_coding) + sensNumber(depth_coding);
     for (const std::uint32_t side : {color_width, color_height, depth_width, depth_height})
       file += sensNumber(side);
-    file += sensNumber(units_per_meter) + sensNumber(std::uint64_t{frames.size()});
+    file += sensNumber(units_per_meter);
+    file += sensNumber(std::uint64_t{frames.size()});
     for (const SensFrameBytes& frame : frames) {
-      file += sensMatrix(frame.pose) + sensNumber(frame.time) + sensNumber(frame.time);
-      file += sensNumber(std::uint64_t{frame.color.size()}) + sensNumber(std::uint64_t{frame.depth.size()});
+      file += sensMatrix(frame.pose);
+      for (const std::uint64_t number :
+           {frame.time, frame.time, std::uint64_t{frame.color.size()}, std::uint64_t{frame.depth.size()}})
+        file += sensNumber(number);
       file += frame.color + frame.depth;
     }
     return file;

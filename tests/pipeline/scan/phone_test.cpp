@@ -35,7 +35,7 @@ std::vector<RgbdFrame> framesOf(const synthetic::PhoneCamera& phone, int frames)
 /// depth of `last`.
 std::vector<float> errorsOfMap(const std::vector<RgbdFrame>& frames, const RgbdFrame& last) {
   const auto compute = ComputeContext::create({}).value();
-  const auto pipeline = MappingPipeline::create(*compute, {kDepth, MappingParams{}, true}).value();
+  const auto pipeline = MappingPipeline::create(*compute, {kDepth, MappingParams{}, PoseUse::given}).value();
   for (const RgbdFrame& frame : frames) EXPECT_TRUE(pipeline->processFrame(frame));
   const auto view = pipeline->readout().renderView(*last.T_world_camera, last.intrinsics.value_or(kDepth));
   EXPECT_TRUE(view);

@@ -25,7 +25,7 @@ TEST(ParamRegistry, HasUniqueKeysAndDefaultsInRange) {
   const ScanParams defaults;
   for (const ParamInfo& info : paramRegistry()) {
     EXPECT_TRUE(keys.insert(info.key).second) << info.key;
-    if (!info.isAutomatic(defaults)) EXPECT_GE(info.get(defaults), info.minimum) << info.key;
+    EXPECT_TRUE(info.isAutomatic(defaults) || info.get(defaults) >= info.minimum) << info.key;
     EXPECT_LE(info.get(defaults), info.maximum) << info.key;
     EXPECT_FALSE(info.help.empty()) << info.key;
   }
