@@ -1,5 +1,6 @@
 #include "core/catalogue/object_database.h"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -50,6 +51,20 @@ Result<int> nextNumber(DatabaseConnection& connection) {
     if (!taken) return fail(taken.error());
     if (!taken->next() || taken->value(0).toInt() == 0) return number;
   }
+}
+
+/// Adds a hidden object without views. Its number is below 0, so that the N of Obj_N counts only objects
+/// that users have seen.
+Result<ObjectId> addForDiscardedViews(DatabaseConnection& connection, std::int64_t session) {
+  Result<QSqlQuery> lowest = connection.execute("SELECT min(number) FROM objects");
+  if (!lowest) return fail(lowest.error());
+  const qlonglong number = std::min<qlonglong>(0, lowest->next() ? lowest->value(0).toLongLong() : 0) - 1;
+  const Result<std::int64_t> row = connection.insert(
+      "INSERT INTO objects (number, name, hidden, size_x_m, size_y_m, size_z_m, first_session, created)"
+      " VALUES (?, ?, 1, 0, 0, 0, ?, ?)",
+      {number, "Discarded views", orNull(session), DatabaseConnection::now()});
+  if (!row) return fail(row.error());
+  return ObjectId{static_cast<std::uint32_t>(*row)};
 }
 
 /// One operation on objects: reads its rows, lets the model decide, and stores the changes.
@@ -219,14 +234,8 @@ Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
       SCANTROVE_TRY(rows.store());
       return true;
     }
-    const Result<int> number = nextNumber(*connection_);
-    if (!number) return fail(number.error());
-    const Result<std::int64_t> row = connection_->insert(
-        "INSERT INTO objects (number, name, hidden, size_x_m, size_y_m, size_z_m, first_session, created)"
-        " VALUES (?, ?, 1, 0, 0, 0, ?, ?)",
-        {*number, QString("Obj_%1").arg(*number), orNull(session), DatabaseConnection::now()});
-    if (!row) return fail(row.error());
-    const ObjectId discarded{static_cast<std::uint32_t>(*row)};
+    ObjectId discarded;
+    SCANTROVE_TRY(moveInto(discarded, addForDiscardedViews(*connection_, session)));
     for (const QVariant& view : views) {
       SCANTROVE_TRY(connection_->execute("UPDATE views SET object = ?, first_object = ? WHERE id = ?",
                                          {discarded.value, discarded.value, view}));

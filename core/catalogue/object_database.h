@@ -75,8 +75,8 @@ class ObjectDatabase {
   /// reads.
   [[nodiscard]] Result<std::int64_t> addView(const ObjectView& view, const Check& check = nothingToCheck);
   /// Removes views that `object` got in that session: for each of `frames` the oldest one from there. They
-  /// become a new object, which is removed. An object without other views is removed itself. Nothing changes
-  /// unless CatalogueModel::mayDiscardViews(). Returns whether the object was removed.
+  /// become a new hidden object, which uses up no Obj_N. An object without other views is removed itself.
+  /// Nothing changes unless CatalogueModel::mayDiscardViews(). Returns whether the object was removed.
   [[nodiscard]] Result<bool> discardViews(ObjectId object, std::int64_t session, std::span<const int> frames);
 
   // Operations of CatalogueModel.

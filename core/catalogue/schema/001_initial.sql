@@ -17,6 +17,7 @@ CREATE TABLE sessions (
 );
 
 -- `number` is the N of the generated name Obj_N; it is given once and never again, whatever the object is called now.
+-- Hidden objects of discarded views have numbers below 0.
 -- A hidden object was removed (merged_into is null) or merged into another.
 CREATE TABLE objects (
   id INTEGER PRIMARY KEY,

@@ -93,6 +93,27 @@ TEST_F(ObjectMergingTest, DiscardedViewsBecomeARemovedObject) {
   EXPECT_EQ(of_discarded, 1) << "recognition attributes the view to it, too";
 }
 
+TEST_F(ObjectMergingTest, NamesCountWithoutGaps_WhenViewsAreDiscarded) {
+  const std::int64_t session = *database_->sessions().begin("demo");
+  const int frames[] = {1};
+  const auto addAndDiscardAView = [&] {
+    ObjectView view = randomView(2);
+    view.object = addFrom(session, 1);
+    view.session = session;
+    EXPECT_TRUE(database_->addView(view));
+    EXPECT_EQ(database_->discardViews(view.object, session, frames), false);
+    return view.object;
+  };
+  const Ids ids{addAndDiscardAView(), addAndDiscardAView(), addAndDiscardAView()};
+  EXPECT_EQ(record(ids[0]).name, "Obj_1");
+  EXPECT_EQ(record(ids[1]).name, "Obj_2");
+  EXPECT_EQ(record(ids[2]).name, "Obj_3");
+  // A user may have seen the names of objects that are gone.
+  EXPECT_TRUE(database_->remove({&ids[2], 1}));
+  ASSERT_TRUE(database_->merge({ids.data(), 2}));
+  EXPECT_EQ(record(add()).name, "Obj_4");
+}
+
 TEST_F(ObjectMergingTest, DiscardsTheOlderOfTwoViewsOfAFrame) {
   const std::int64_t session = *database_->sessions().begin("demo");
   const ObjectId mug = addFrom(session, 1);
