@@ -9,149 +9,10 @@
 #include <random>
 #include <set>
 
-#include "core/compute/device_choice.h"
-#include "core/labeling/kernels/label_voxel.h"
-#include "tests/reference/dense_label_cloud.h"
-#include "tests/support/brick_contents.h"
+#include "tests/kernels/labeling/label_cloud_fixture.h"
 
-namespace scantrove {
+namespace scantrove::test {
 namespace {
-
-constexpr float kVoxel = 0.006F;
-constexpr int kSide = 152;                                  // voxels of the dense volume: 0.912 m
-const Eigen::Vector3i kFirst(-76, -76, -40);                // all axes include negative coordinates
-const Intrinsics kCamera{110, 112, 52.3F, 41.1F, 107, 83};  // odd sizes
-
-/// A sphere in front of a slanted plane, seen from `T`; every 17th pixel has no surface.
-std::vector<Eigen::Vector4f> renderScene(const Eigen::Isometry3d& T) {
-  const Eigen::Vector3f center(0.02F, 0.01F, 0.12F);
-  const float radius = 0.08F;
-  const Eigen::Vector3f normal = Eigen::Vector3f(0.1F, -0.2F, -1).normalized();
-  const float offset = normal.dot(Eigen::Vector3f(0, 0, 0.3F));
-  const Eigen::Vector3f origin = T.translation().cast<float>();
-  std::vector<Eigen::Vector4f> vertices;
-  for (int v = 0; v < kCamera.height; ++v) {
-    for (int u = 0; u < kCamera.width; ++u) {
-      const Eigen::Vector3f ray =
-          T.linear().cast<float>() *
-          kCamera.backProject(static_cast<float>(u), static_cast<float>(v), 1).normalized();
-      float distance = (offset - normal.dot(origin)) / normal.dot(ray);
-      const Eigen::Vector3f to_center = center - origin;
-      const float along = to_center.dot(ray);
-      const float miss = to_center.squaredNorm() - along * along;
-      if (miss < radius * radius) distance = std::min(distance, along - std::sqrt(radius * radius - miss));
-      const bool none = (u + v * kCamera.width) % 17 == 0 || !(distance > 0);
-      const Eigen::Vector3f p = origin + distance * ray;
-      vertices.push_back(none ? Eigen::Vector4f::Zero() : Eigen::Vector4f(p.x(), p.y(), p.z(), 1));
-    }
-  }
-  return vertices;
-}
-
-/// The bricks within two voxels of a vertex: more than any update reaches.
-std::vector<Eigen::Vector3i> bricksNear(const std::vector<Eigen::Vector4f>& vertices) {
-  std::set<std::array<int, 3>> near;
-  for (const Eigen::Vector4f& vertex : vertices) {
-    if (vertex.w() == 0) continue;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3f step(corner & 1 ? 2.0F : -2.0F, corner & 2 ? 2.0F : -2.0F,
-                                 corner & 4 ? 2.0F : -2.0F);
-      const Eigen::Vector3i at = ((vertex.head<3>() / kVoxel + step) / 8).array().floor().cast<int>();
-      near.insert({at.x(), at.y(), at.z()});
-    }
-  }
-  std::vector<Eigen::Vector3i> bricks;
-  for (const auto& [x, y, z] : near) bricks.emplace_back(x, y, z);
-  return bricks;
-}
-
-class LabelCloudTest : public testing::TestWithParam<int> {
- protected:
-  void SetUp() override {
-    auto compute = ComputeContext::create({std::to_string(GetParam()), false});
-    ASSERT_TRUE(compute) << compute.error().message();
-    compute_ = std::move(*compute);
-    auto cloud = LabelCloud::create(*compute_);
-    ASSERT_TRUE(cloud) << cloud.error().message();
-    cloud_ = std::move(*cloud);
-    bricks_ = std::make_unique<BrickMap>(*compute_, kVoxel);
-  }
-
-  /// Allocates the bricks of the surface, as its integration does. Those that it adds lie outside the window,
-  /// where a slower lookup finds them.
-  SurfaceMaps toSurface(const std::vector<Eigen::Vector4f>& vertices, const Eigen::Isometry3d& T) {
-    SurfaceMaps surface = inExistingBricks(vertices, T);
-    bricks_->allocate(bricksNear(vertices));
-    return surface;
-  }
-  SurfaceMaps inExistingBricks(const std::vector<Eigen::Vector4f>& vertices, const Eigen::Isometry3d& T) {
-    SurfaceMaps surface;
-    surface.K = kCamera;
-    surface.T_world_camera = T;
-    surface.vertices_world = Buffer<cl_float4>(compute_->context(), vertices.size());
-    std::vector<cl_float4> values;
-    for (const auto& v : vertices) values.push_back({{v.x(), v.y(), v.z(), v.w()}});
-    surface.vertices_world.write(compute_->queue(), values);
-    surface.window = test::windowOfAll(*compute_, *bricks_);
-    return surface;
-  }
-
-  /// Labels of all voxels of the dense volume; `labeled` counts all labelled voxels of the map.
-  std::vector<std::uint32_t> denseLabels(const reference::DenseLabelCloud& shape, std::size_t& labeled) {
-    std::vector<std::uint32_t> dense(shape.labels.size(), 0);
-    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
-    labeled = 0;
-    for (int slot = 0; slot < bricks_->brickCount(); ++slot) {
-      for (int i = 0; i < BRICK_VOXELS; ++i) {
-        const auto at = static_cast<std::size_t>(slot) * BRICK_VOXELS + static_cast<std::size_t>(i);
-        const std::uint32_t label = LABEL_OF(voxels[at]);
-        if (label == 0) continue;
-        ++labeled;
-        const Eigen::Vector3i voxel =
-            8 * bricks_->device().positionOf(slot) + Eigen::Vector3i(i % 8, i / 8 % 8, i / 64) - shape.first;
-        if ((voxel.array() < 0).any() || (voxel.array() >= shape.side).any()) continue;
-        dense[shape.indexOf(voxel.x(), voxel.y(), voxel.z())] = label;
-      }
-    }
-    return dense;
-  }
-
-  std::unique_ptr<ComputeContext> compute_;
-  std::unique_ptr<LabelCloud> cloud_;
-  std::unique_ptr<BrickMap> bricks_;
-};
-
-std::vector<int> allDevices() {
-  std::vector<int> indices;
-  for (const DeviceInfo& info : listDevices()) indices.push_back(info.index);
-  return indices;
-}
-
-/// Patches that cycle through `fragments` fragments from `first` on; some pixels have none.
-std::vector<FragmentId> randomPatches(unsigned seed, std::uint32_t first, std::uint32_t fragments = 20) {
-  std::mt19937 random(seed);
-  std::vector<FragmentId> patches;
-  for (int v = 0; v < kCamera.height; ++v) {
-    for (int u = 0; u < kCamera.width; ++u) {
-      const bool none = random() % 29 == 0;
-      patches.push_back({none ? 0 : first + static_cast<std::uint32_t>(u / 11 + v / 9) % fragments});
-    }
-  }
-  return patches;
-}
-
-std::vector<FragmentId> onlyFragment(FragmentId fragment) {
-  return std::vector<FragmentId>(static_cast<std::size_t>(kCamera.pixels()), fragment);
-}
-
-Eigen::Isometry3d cameraAt(double x, double y, double yaw) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.translation() = Eigen::Vector3d(x, y, -0.17);
-  T.linear() =
-      (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(0.13, Eigen::Vector3d::UnitX()))
-          .toRotationMatrix();
-  return T;
-}
 
 TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithm_OverSeveralFrames) {
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
@@ -236,7 +97,7 @@ TEST_P(LabelCloudTest, UpdateLeavesMissingBricksOut) {
     for (const Eigen::Vector3i& b : (*cloud)->update(surface, randomPatches(3, 1), {}, {}, map))
       EXPECT_TRUE(touched.insert({b.x(), b.y(), b.z()}).second) << "listed once";
     EXPECT_EQ(map.brickCount(), static_cast<int>(existing.size()));
-    const std::vector<cl_uint> voxels = test::usedPart(*compute_, map, map.pools().labels());
+    const std::vector<cl_uint> voxels = usedPart(*compute_, map, map.pools().labels());
     Contents contents;
     for (int slot = 0; slot < map.brickCount(); ++slot) {
       const auto first = voxels.begin() + std::ptrdiff_t{slot} * BRICK_VOXELS;
@@ -261,99 +122,6 @@ TEST_P(LabelCloudTest, UpdateLeavesMissingBricksOut) {
   EXPECT_EQ(writtenTo(half), expected);
 }
 
-/// Updates of one view, and the resulting fragments of the cloud.
-class LabelCloudConfidenceTest : public LabelCloudTest {
- protected:
-  void write(FragmentId fragment, int times, std::span<const FragmentId> split_off = {}) {
-    const Eigen::Isometry3d T = cameraAt(0, 0, 0);
-    const SurfaceMaps surface = toSurface(renderScene(T), T);
-    for (int i = 0; i < times; ++i) {
-      (void)cloud_->update(surface, onlyFragment(fragment), split_off, params_, *bricks_);
-    }
-  }
-  std::set<std::uint32_t> fragmentsInCloud() {
-    std::size_t labeled = 0;
-    std::set<std::uint32_t> fragments;
-    for (const std::uint32_t fragment :
-         denseLabels(reference::DenseLabelCloud(kFirst, kSide, kVoxel), labeled)) {
-      if (fragment != 0) fragments.insert(fragment);
-    }
-    return fragments;
-  }
-
-  const FragmentId first_{1}, second_{2};
-  LabelingParams params_;
-};
-
-TEST_P(LabelCloudConfidenceTest, ReplacesAFragment_AfterAsManyFramesAsItsConfidence) {
-  write(first_, 3);
-  write(second_, 2);
-  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value});
-  write(second_, 1);
-  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
-  // The confidence is one now, so one frame is enough.
-  write(first_, 1);
-  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value});
-}
-
-TEST_P(LabelCloudConfidenceTest, ConfidenceIsLimited) {
-  write(first_, 3 * static_cast<int>(LABEL_CONFIDENCE_MAX));
-  write(second_, static_cast<int>(LABEL_CONFIDENCE_MAX) - 1);
-  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value});
-  write(second_, 1);
-  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
-}
-
-TEST_P(LabelCloudConfidenceTest, ReplacesAFragmentAtOnce_AfterASplit) {
-  write(first_, 8);
-  write(second_, 1, std::array{second_});
-  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
-  write(first_, 1);
-  EXPECT_EQ(fragmentsInCloud(), std::set{first_.value}) << "a split voxel starts with confidence one";
-}
-
-TEST_P(LabelCloudConfidenceTest, WritesConfirmationsInTurns_AtFullConfidence) {
-  write(first_, 1);
-  const Eigen::Isometry3d T = cameraAt(0, 0, 0);
-  const SurfaceMaps surface = toSurface(renderScene(T), T);
-  // Sets the confidence of all labelled voxels.
-  const auto setConfidence = [&](std::uint32_t confidence) {
-    std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
-    for (cl_uint& voxel : voxels) voxel = LABEL_OF(voxel) == 0 ? 0 : LABEL_VOXEL(LABEL_OF(voxel), confidence);
-    bricks_->pools().labels().write(compute_->queue(), voxels);
-  };
-  // The voxels that an update writes if projection found all of them at full confidence.
-  const auto writtenBy = [&](FragmentId fragment) {
-    setConfidence(LABEL_CONFIDENCE_MAX);
-    (void)cloud_->project(surface, *bricks_);
-    setConfidence(5);
-    (void)cloud_->update(surface, onlyFragment(fragment), {}, params_, *bricks_);
-    std::set<std::size_t> written;
-    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-      if (voxels[i] != 0 && CONFIDENCE_OF(voxels[i]) != 5) written.insert(i);
-    }
-    return written;
-  };
-  const std::set<std::size_t> all = writtenBy(second_);
-  ASSERT_GT(all.size(), 5000U) << "new labels are written at once";
-  std::set<std::size_t> in_turns;
-  for (int turn = 0; turn < 4; ++turn) {
-    const std::set<std::size_t> now = writtenBy(first_);
-    EXPECT_GT(now.size(), all.size() / 8);
-    EXPECT_LT(now.size(), all.size() / 2);
-    in_turns.insert(now.begin(), now.end());
-  }
-  EXPECT_EQ(in_turns, all);
-}
-
-TEST_P(LabelCloudConfidenceTest, EveryFrameOverwrites_WithoutConfidence) {
-  params_.voxel_confidence = false;
-  write(first_, 8);
-  write(second_, 1);
-  EXPECT_EQ(fragmentsInCloud(), std::set{second_.value});
-}
-
 TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
   EXPECT_THAT(cloud_->voxelsOfFragments(), testing::IsEmpty());
   std::mt19937 random(5);
@@ -370,7 +138,7 @@ TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
         *bricks_);
   }
   std::vector<cl_int> counted(cloud_->voxelsOfFragments().size(), 0);
-  for (const cl_uint voxel : test::usedPart(*compute_, *bricks_, bricks_->pools().labels())) {
+  for (const cl_uint voxel : usedPart(*compute_, *bricks_, bricks_->pools().labels())) {
     if (LABEL_OF(voxel) == 0) continue;
     ASSERT_LT(LABEL_OF(voxel), counted.size());
     ++counted[LABEL_OF(voxel)];
@@ -394,12 +162,12 @@ TEST_P(LabelCloudTest, ExtractGivesNearSurfaceVoxels_ByBrick) {
   const std::vector<Eigen::Vector3i> bricks(touched.begin(), touched.end());
   EXPECT_TRUE(cloud_->extract(bricks, *bricks_, 4).points.empty()) << "without fusion there is no surface";
   // Every second voxel lies on the surface, the others half a truncation away.
-  std::vector<test::HostVoxel> voxels = test::usedVoxels(*compute_, *bricks_);
+  std::vector<HostVoxel> voxels = usedVoxels(*compute_, *bricks_);
   for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = {i % 2 == 0 ? 1 : 16000, 1};
-  test::writeVoxels(*compute_, *bricks_, voxels);
+  writeVoxels(*compute_, *bricks_, voxels);
   const LabelCloud::Extract extract = cloud_->extract(bricks, *bricks_, 4);
   ASSERT_EQ(extract.first.size(), bricks.size() + 1);
-  const std::vector<cl_uint> labels = test::usedPart(*compute_, *bricks_, bricks_->pools().labels());
+  const std::vector<cl_uint> labels = usedPart(*compute_, *bricks_, bricks_->pools().labels());
   for (std::size_t b = 0; b < bricks.size(); ++b) {
     const auto slot = static_cast<std::size_t>(bricks_->device().slotOf(bricks[b]));
     std::size_t expected = 0;
@@ -417,7 +185,6 @@ TEST_P(LabelCloudTest, ExtractGivesNearSurfaceVoxels_ByBrick) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, LabelCloudTest, testing::ValuesIn(allDevices()));
-INSTANTIATE_TEST_SUITE_P(Devices, LabelCloudConfidenceTest, testing::ValuesIn(allDevices()));
 
 }  // namespace
-}  // namespace scantrove
+}  // namespace scantrove::test
