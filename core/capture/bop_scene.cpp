@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
-#include "core/base/text_file.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/folder_pairs.h"
+#include "core/capture/json_file.h"
 #include "core/capture/source_options.h"
 #include "core/image/image_file.h"
 
@@ -58,13 +57,12 @@ BopCamera bopCamera(const nlohmann::json& json) {
 }
 
 Result<std::map<int, BopCamera>> readBopCameras(const std::filesystem::path& file) {
-  const auto text = readTextFile(file);
-  if (!text) return fail(text.error());
+  const auto json = readJson(file);
+  if (!json) return fail(json.error());
   std::string frame;
   try {
     std::map<int, BopCamera> cameras;
-    const nlohmann::json json = nlohmann::json::parse(*text);
-    for (const auto& [key, camera] : json.items()) {
+    for (const auto& [key, camera] : json->items()) {
       frame = ", frame " + key;
       const auto number = parseFrameNumber(key);
       if (!number) continue;

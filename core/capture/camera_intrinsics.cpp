@@ -3,13 +3,13 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
 #include "core/base/text.h"
 #include "core/base/text_file.h"
 #include "core/capture/folder_listing.h"
+#include "core/capture/json_file.h"
 #include "core/capture/pose_files.h"
 
 namespace scantrove {
@@ -152,12 +152,10 @@ Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file) {
 }
 
 Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
-  const Result<std::string> text = readTextFile(file);
-  if (!text) {
-    return fail(text.error());
-  }
+  const auto read = readJson(file);
+  if (!read) return fail(read.error());
+  const nlohmann::json& json = *read;
   try {
-    const nlohmann::json json = nlohmann::json::parse(*text);
     CameraModel model;
     SCANTROVE_TRY(moveInto(model.K, intrinsicsFrom(json, file)));
     if (json.contains("depth_scale")) {

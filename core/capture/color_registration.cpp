@@ -80,6 +80,12 @@ Result<std::optional<ColorCamera>> colorCameraFor(const ColorRegistration& regis
                 kRegistrationAdvice);
   }
   ColorCamera camera = *registration.camera;
+  constexpr double kFarthestOfFiles_m = 10;  // further than on any rig: not in metres, or damaged
+  if (!camera.T_color_depth.matrix().allFinite() ||
+      !(camera.T_color_depth.translation().norm() <= kFarthestOfFiles_m)) {
+    return fail(source + ": its colour camera is said to be more than 10 m away from the depth camera.",
+                kRegistrationAdvice);
+  }
   if (camera.K.width > 0 && camera.K.height > 0 && !haveOneShape(size, camera.K)) {
     return fail(source + ": " + images + "; its colour camera is known for " +
                     sizeText(camera.K.width, camera.K.height) + " only.",

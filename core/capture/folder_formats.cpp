@@ -66,6 +66,7 @@ bool fitsRosbag2(const Folder& folder, const Names&) {
 OpenedFolder openRosbag2In(const Folder& folder, const Names&, const SourceOptions& options) {
   const auto file = rosbag2FileIn(folder);
   if (!file) return fail(file.error());
+  if (!*file) return fail("The recording in " + folder.string() + " is gone.", "Was a drive unplugged?");
   const auto format = containerFormat(**file);
   if (!format) return fail(format.error());
   if (!*format) return fail((*file)->string() + " is no ROS 2 recording.");

@@ -1,7 +1,12 @@
 #include "core/capture/image_sequence.h"
 
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "core/base/stamped_pose.h"
 #include "core/capture/color_registration.h"
 #include "core/capture/depth_file.h"
 #include "core/capture/depth_plausibility.h"
@@ -238,6 +243,18 @@ void setCamera(ImageSequence& sequence, const ImageSequenceEntry& first, const S
   }
 }
 
+/// Times that no clock gives are replaced by counted ones.
+void setPlausibleTimes(ImageSequence& sequence) {
+  constexpr double kLatest_s = 1e12;
+  const bool is_plausible = std::ranges::all_of(sequence.entries, [](const ImageSequenceEntry& entry) {
+    return std::abs(entry.timestamp_s) < kLatest_s;  // false for NaN
+  });
+  if (is_plausible) return;
+  spdlog::warn("{}: some of its times are no times; counting 30 frames a second instead.",
+               folderName(sequence.folder));
+  for (ImageSequenceEntry& entry : sequence.entries) entry.timestamp_s = entry.index / kFrameRateHz;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, const SourceOptions& options) {
@@ -246,6 +263,7 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   if (!selected) {
     return fail(selected.error());
   }
+  setPlausibleTimes(sequence);
   sequence.is_color_optional = sequence.is_color_optional || sequence.camera.is_color_optional;
   const auto first = firstUsable(sequence, *selected);
   if (!first) {

@@ -53,8 +53,9 @@ bool LocalPoses::isJump(const Eigen::Vector3d& place) {
   return agreeing_ < kAgreeingFrames;
 }
 
-std::string LocalPoses::refusalOf(const Eigen::Vector3d& place) {
-  if (!place.allFinite()) return "is not finite";
+std::string LocalPoses::refusalOf(const Eigen::Isometry3d& T_world_camera) {
+  if (!T_world_camera.matrix().allFinite()) return "is not finite";
+  const Eigen::Vector3d place = T_world_camera.translation();
   if (place.cwiseAbs().maxCoeff() > kLargest_m)
     return "lies " + meters(place.norm()) + " from the recording's origin, where no camera is";
   if (origin_ && (place - *origin_).norm() > kFarthest_m)
@@ -67,7 +68,7 @@ FrameRead LocalPoses::moved(FrameRead read) {
   if (read.status != FrameRead::Status::frame || !read.frame.T_world_camera) return read;
   Eigen::Isometry3d& T_world_camera = *read.frame.T_world_camera;
   const Eigen::Vector3d place = T_world_camera.translation();
-  if (const std::string refusal = refusalOf(place); !refusal.empty()) {
+  if (const std::string refusal = refusalOf(T_world_camera); !refusal.empty()) {
     if (implausible_ == Implausible::without_pose) {
       read.frame.T_world_camera.reset();
       if (!std::exchange(has_reported_, true))

@@ -42,7 +42,7 @@ class LocalPoses final : public FrameSource {
  private:
   [[nodiscard]] FrameRead moved(FrameRead read);
   /// Why the pose is implausible; empty: it is plausible.
-  [[nodiscard]] std::string refusalOf(const Eigen::Vector3d& place);
+  [[nodiscard]] std::string refusalOf(const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] bool isJump(const Eigen::Vector3d& place);
 
   std::unique_ptr<FrameSource> source_;

@@ -3,13 +3,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
 #include "core/base/text_file.h"
 #include "core/capture/data_set_camera.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/folder_pairs.h"
+#include "core/capture/json_file.h"
 
 namespace scantrove {
 namespace {
@@ -68,10 +68,10 @@ void addReplicaPoses(ImageSequence& sequence, const std::vector<std::optional<Ei
 }
 
 Result<CameraModel> readReplicaCamera(const std::filesystem::path& file) {
-  const auto text = readTextFile(file);
-  if (!text) return fail(text.error());
+  const auto json = readJson(file);
+  if (!json) return fail(json.error());
   try {
-    const nlohmann::json camera = nlohmann::json::parse(*text).at("camera");
+    const nlohmann::json& camera = json->at("camera");
     const auto value = [&](const char* name) { return camera.at(name).get<float>(); };
     CameraModel model{
         {value("fx"), value("fy"), value("cx"), value("cy"), camera.value("w", 0), camera.value("h", 0)},

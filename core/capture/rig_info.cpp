@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/base/text_file.h"
 #include "core/capture/rig_cameras.h"
+#include "core/image/image_header.h"
 
 namespace scantrove {
 namespace {
@@ -54,9 +55,9 @@ class RigInfo {
   static constexpr const char* kRigAdvice = "Correct it, or give --intrinsics fx,fy,cx,cy.";
 
   [[nodiscard]] Result<void> readSide(int& side, const std::string& name) const {
-    constexpr double kLongest = 1e5;
     const double value = number(name).value_or(0);
-    if (!(value >= 1 && value <= kLongest)) return fail(file_.string() + " has no " + name + ".", kRigAdvice);
+    if (!(value >= 1 && value <= kLongestImageSide_px))
+      return fail(file_.string() + " has no " + name + " from 1 to 8192.", kRigAdvice);
     side = static_cast<int>(value);
     return {};
   }

@@ -32,7 +32,13 @@ Result<std::string> readImageBytes(const std::filesystem::path& file) {
   if (const auto size = imageSize(bytesOf(*start))) {
     SCANTROVE_TRY(checkImageSize(*size, file.string()));
   }
-  return start->size() < kImageHeaderBytes ? start : readFile(file);
+  if (start->size() < kImageHeaderBytes) return start;
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{512}
+                                        << 20;  // three times the largest without compression
+  std::error_code unknown;                      // readFile() says why
+  const std::uintmax_t bytes = std::filesystem::file_size(file, unknown);
+  if (!unknown && bytes > kMostBytes) return fail(file.string() + " is larger than 512 MB.");
+  return readFile(file, kMostBytes);
 }
 
 using Decode = Result<cv::Mat>(Bytes bytes, const std::string& name);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/capture/json_file.h"
 #include "core/capture/pose_files.h"
 
 namespace scantrove {
@@ -89,13 +89,14 @@ std::string kinectSizeText(const cv::Size& size) {
 Result<ContainerCameras> kinectCameras(const std::string& json, const cv::Size& depth, const cv::Size& color,
                                        const std::string& name) {
   const auto broken = [&](const std::string& why) {
-    return fail("The calibration in " + name + " cannot be used: " + why + ".",
+    return fail("The calibration in " + name + " cannot be used: " + why + (why.ends_with('.') ? "" : "."),
                 "Give --intrinsics fx,fy,cx,cy and --color-registration.");
   };
   std::optional<KinectCamera> depth_camera, color_camera;
+  const auto calibration = parseJson(json, "its calibration.json");
+  if (!calibration) return broken(calibration.error().what);
   try {
-    for (const nlohmann::json& camera :
-         nlohmann::json::parse(json).at("CalibrationInformation").at("Cameras")) {
+    for (const nlohmann::json& camera : calibration->at("CalibrationInformation").at("Cameras")) {
       const auto location = camera.at("Location").get<std::string>();
       if (location == "CALIBRATION_CameraLocationD0") depth_camera = kinectCamera(camera);
       if (location == "CALIBRATION_CameraLocationPV0") color_camera = kinectCamera(camera);

@@ -146,9 +146,8 @@ Result<void> MatroskaFile::readElement(const Element& element) {
   const Result<ByteBlock> bytes = file_.read(element.data, element.bytes);
   if (!bytes) return fail(bytes.error());
   if (element.id == mkv::kTracks) return readTracks(*bytes);
-  if (element.id == mkv::kAttachments) {
-    readAttachments(*bytes);
-  } else if (element.id == mkv::kTimestamp) {
+  if (element.id == mkv::kAttachments) return readAttachments(*bytes);
+  if (element.id == mkv::kTimestamp) {
     cluster_ticks_ = static_cast<std::int64_t>(ebml::Child{element.id, *bytes}.number());
   } else {
     ebml::forEachChild(*bytes, [&](const ebml::Child& child) {
@@ -170,7 +169,9 @@ Result<void> MatroskaFile::readTracks(ByteView bytes) {
               "Give the file as the camera's recorder wrote it.");
 }
 
-void MatroskaFile::readAttachments(ByteView bytes) {
+Result<void> MatroskaFile::readAttachments(ByteView bytes) {
+  attached_bytes_ += bytes.size();
+  if (attached_bytes_ > kLargestMkvHeader) return damaged("its attachments are larger than 32 MB");
   ebml::forEachChild(bytes, [&](const ebml::Child& file) {
     if (file.id != mkv::kAttachedFile) return;
     std::string name, data;
@@ -180,6 +181,7 @@ void MatroskaFile::readAttachments(ByteView bytes) {
     });
     attachments_.insert_or_assign(std::move(name), std::move(data));
   });
+  return {};
 }
 
 /// A block: the track's number, ticks since the cluster's, flags, then the image.

@@ -55,7 +55,7 @@ class MatroskaFile {
   [[nodiscard]] Result<Element> elementAt(std::uint64_t at);
   [[nodiscard]] Result<void> readElement(const Element& element);
   [[nodiscard]] Result<void> readTracks(ByteView bytes);
-  void readAttachments(ByteView bytes);
+  [[nodiscard]] Result<void> readAttachments(ByteView bytes);
   [[nodiscard]] Result<void> addBlock(const Element& element);
   [[nodiscard]] tl::unexpected<Error> damaged(const std::string& why) const;
 
@@ -65,6 +65,7 @@ class MatroskaFile {
   std::uint64_t nanoseconds_per_tick_ = 1'000'000;
   std::int64_t cluster_ticks_ = 0;
   std::size_t blocks_ = 0;
+  std::uint64_t attached_bytes_ = 0;
   bool is_cut_ = false;
 };
 

@@ -126,8 +126,8 @@ class McapFile final : public MessageFile {
 
   Result<void> addChunk(std::uint64_t at, std::uint64_t bytes) {
     constexpr std::size_t kFixed = 3 * sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
-    constexpr std::size_t kLongestName = 32;
-    const Result<ByteView> start = file_.peek(at, kFixed + kLongestName + sizeof(std::uint64_t));
+    constexpr std::size_t kLongestCompressionName = 32;
+    const Result<ByteView> start = file_.peek(at, kFixed + kLongestCompressionName + sizeof(std::uint64_t));
     if (!start) return fail(start.error());
     ByteCursor cursor(*start);
     cursor.skip(2 * sizeof(std::uint64_t));
@@ -241,13 +241,17 @@ class McapFile final : public MessageFile {
     const std::string_view encoding = cursor.takeText(cursor.get<std::uint32_t>());
     if (!cursor.isOk()) return damaged("a schema or channel is cut");
     if (op == McapOp::schema) {
+      if (name.size() > kLongestName) return damaged("the name of a schema has more than 4096 bytes");
       schemas_[number] = name;
       return {};
     }
     const MessageEncoding known = encoding == "cdr"    ? MessageEncoding::cdr
                                   : encoding == "ros1" ? MessageEncoding::ros1
                                                        : MessageEncoding::other;
-    if (!channels_.contains(number)) channels_[number] = topicAt(name, schemas_[schema], known);
+    if (channels_.contains(number)) return {};
+    const auto topic = topicAt(name, schemas_[schema], known);
+    if (!topic) return fail(topic.error());
+    channels_[number] = *topic;
     return {};
   }
 

@@ -27,7 +27,13 @@ const MessageTopic* MessageFile::findTopic(std::string_view name) const {
   return found == topics_.end() ? nullptr : &*found;
 }
 
-std::size_t MessageFile::topicAt(std::string_view name, std::string_view type, MessageEncoding encoding) {
+Result<std::size_t> MessageFile::topicAt(std::string_view name, std::string_view type,
+                                         MessageEncoding encoding) {
+  if (name.size() > kLongestName || type.size() > kLongestName)
+    return fail(path_.string() + " is damaged: the name of a topic has more than 4096 bytes.",
+                "Copy or record it again.");
+  if (topics_.size() >= kMostTopics)
+    return fail(path_.string() + " holds more than 10,000 topics.", "Leave out other topics.");
   const auto [found, is_new] = positions_.try_emplace(std::string(name), topics_.size());
   if (is_new) topics_.push_back({std::string(name), withoutMsg(type), encoding, {}});
   return found->second;
@@ -36,8 +42,8 @@ std::size_t MessageFile::topicAt(std::string_view name, std::string_view type, M
 Result<void> MessageFile::addMessage(std::size_t topic, const MessageEntry& entry) {
   std::vector<MessageEntry>& messages = topics_[topic].messages;
   if (!isImageType(topics_[topic].type) && messages.size() >= kFewMessages) return {};
-  if (++count_ > kMostMessages || topics_.size() > kMostTopics) {
-    return fail(path_.string() + " holds more than 4 million messages or 10,000 topics.",
+  if (++count_ > kMostMessages) {
+    return fail(path_.string() + " holds more than 4 million messages.",
                 "Split the recording, or leave out other topics.");
   }
   messages.push_back(entry);

@@ -39,6 +39,7 @@ struct MessageTopic {
 class MessageFile {
  public:
   static constexpr std::size_t kWholeMessage = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kLongestName = 4096;  ///< of topics and types
 
   virtual ~MessageFile() = default;
 
@@ -55,7 +56,10 @@ class MessageFile {
   explicit MessageFile(std::filesystem::path path) : path_(std::move(path)) {}
 
   /// Adds a topic or returns the position of the one of this name. Positions are valid until finishIndex().
-  [[nodiscard]] std::size_t topicAt(std::string_view name, std::string_view type, MessageEncoding encoding);
+  /// Error: names of more than kLongestName bytes, or too many topics: a small compressed file may hold
+  /// gigabytes of them.
+  [[nodiscard]] Result<std::size_t> topicAt(std::string_view name, std::string_view type,
+                                            MessageEncoding encoding);
   /// Error: more messages than memory is meant for.
   [[nodiscard]] Result<void> addMessage(std::size_t topic, const MessageEntry& entry);
   /// Sorts topics by name and messages by time.

@@ -216,8 +216,10 @@ class RosBag final : public MessageFile {
   Result<void> addConnection(const BagFields& fields, const BagFields& data) {
     const auto number = fields.number<std::uint32_t>("conn");
     if (!number || !data.isOk()) return damaged("a connection has no number");
-    connections_.try_emplace(*number,
-                             topicAt(fields.text("topic"), data.text("type"), MessageEncoding::ros1));
+    if (connections_.contains(*number)) return {};
+    const auto topic = topicAt(fields.text("topic"), data.text("type"), MessageEncoding::ros1);
+    if (!topic) return fail(topic.error());
+    connections_.emplace(*number, *topic);
     return {};
   }
 

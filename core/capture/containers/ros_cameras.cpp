@@ -20,7 +20,8 @@ constexpr std::uint32_t kLargestRosSide = 16384;
 std::optional<LensDistortion> rosLens(const std::string& model, const std::vector<double>& D,
                                       const std::string& topic) {
   const auto at = [&](std::size_t i) { return i < D.size() ? D[i] : 0.0; };
-  if (std::ranges::all_of(D, [](double value) { return value == 0 || !std::isfinite(value); }))
+  if (std::ranges::all_of(D, [](double value) { return value == 0; }) ||
+      !std::ranges::all_of(D, [](double value) { return std::isfinite(value); }))
     return std::nullopt;
   const std::string lower = lowerCase(model);
   const bool is_brown = lower.empty() || lower.find("plumb") != std::string::npos ||

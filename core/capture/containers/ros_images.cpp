@@ -66,11 +66,13 @@ bool isCompressedColor(const std::string& format) {
 
 tl::unexpected<Error> damagedMessage(const std::string& name) { return fail(name + " is damaged."); }
 
-/// The pixels of an image message, not copied. Error: wrong sizes.
+/// The pixels of an image message, not copied. Error: wrong sizes. OpenCV throws unless rows are whole
+/// numbers apart.
 Result<cv::Mat> pixelsOf(const RosImage& image, int type, const std::string& name) {
   SCANTROVE_TRY(checkImageSize({image.width, image.height}, name));
   const std::uint64_t row = std::uint64_t{image.width} * CV_ELEM_SIZE(type);
-  if (image.step < row || std::uint64_t{image.step} * (image.height - 1) + row > image.data.size())
+  if (image.step < row || image.step % CV_ELEM_SIZE1(type) != 0 ||
+      std::uint64_t{image.step} * (image.height - 1) + row > image.data.size())
     return damagedMessage(name);
   // OpenCV takes pixels that it may change; they are only read.
   auto* const data = const_cast<std::uint8_t*>(image.data.data());

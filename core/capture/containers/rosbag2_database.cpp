@@ -111,7 +111,7 @@ class Rosbag2Database final : public MessageFile {
 
   Result<void> readTopics() {
     const Statement statement =
-        prepare("SELECT id, name, type, serialization_format FROM topics LIMIT 10000");
+        prepare("SELECT id, name, type, serialization_format FROM topics LIMIT 10001");
     if (!statement) return broken();
     int code = sqlite3_step(statement.get());
     for (; code == SQLITE_ROW; code = sqlite3_step(statement.get())) {
@@ -123,7 +123,9 @@ class Rosbag2Database final : public MessageFile {
                          value, static_cast<std::size_t>(sqlite3_column_bytes(statement.get(), column)));
       };
       const MessageEncoding encoding = text(3) == "cdr" ? MessageEncoding::cdr : MessageEncoding::other;
-      numbers_[sqlite3_column_int64(statement.get(), 0)] = topicAt(text(1), text(2), encoding);
+      const auto topic = topicAt(text(1), text(2), encoding);
+      if (!topic) return fail(topic.error());
+      numbers_[sqlite3_column_int64(statement.get(), 0)] = *topic;
     }
     return code == SQLITE_DONE ? Result<void>() : broken();
   }

@@ -79,6 +79,7 @@ Result<Trajectory> readArkitTrajectory(const std::filesystem::path& file) {
           "Download the file again.");
     if (!std::ranges::all_of(*values, [](double value) { return std::isfinite(value); })) continue;
     const Eigen::Vector3d axis((*values)[1], (*values)[2], (*values)[3]);
+    if (!std::isfinite(axis.norm())) continue;
     Eigen::Isometry3d T_camera_world = Eigen::Isometry3d::Identity();
     if (axis.norm() > 0) T_camera_world.linear() = Eigen::AngleAxisd(axis.norm(), axis.normalized()).matrix();
     T_camera_world.translation() = Eigen::Vector3d((*values)[4], (*values)[5], (*values)[6]);

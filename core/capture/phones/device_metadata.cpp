@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/base/regular_file.h"
-#include "core/base/text_file.h"
 #include "core/capture/pose_files.h"
 #include "core/image/image_header.h"
 
@@ -11,8 +9,6 @@ namespace scantrove {
 
 namespace {
 
-/// Ten times the metadata of an hour of video.
-constexpr std::uintmax_t kMaxJsonBytes = std::uintmax_t{512} << 20;
 /// The device normalises its quaternions; text has rounded them.
 constexpr double kQuaternionTolerance = 0.02;
 
@@ -36,21 +32,6 @@ const nlohmann::json* memberOf(const nlohmann::json& object, const char* key) {
 }
 
 }  // namespace
-
-Result<nlohmann::json> parseJson(const std::string& text, const std::string& name) {
-  nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  if (json.is_discarded()) return fail(name + " is no JSON, or it is truncated.", "Export the scan again.");
-  return json;
-}
-
-Result<nlohmann::json> readJson(const std::filesystem::path& file) {
-  SCANTROVE_TRY(checkRegularFile(file));
-  std::error_code error;
-  if (const auto size = std::filesystem::file_size(file, error); error || size > kMaxJsonBytes)
-    return fail(file.string() + " is larger than 512 MiB: too large for the metadata of a scan.");
-  const auto text = readTextFile(file);
-  return text ? parseJson(*text, file.string()) : fail(text.error());
-}
 
 std::optional<std::vector<double>> numbersIn(const nlohmann::json& value, std::size_t count) {
   std::vector<double> numbers;

@@ -1,25 +1,18 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
 #include "core/capture/intrinsics.h"
+#include "core/capture/json_file.h"
 
 namespace scantrove {
 
 // What the files of phones say about a frame. ARKit and OpenGL: the camera's x axis points right, y up, z
 // backward. Scantrove and OpenCV: x right, y down, z forward.
-
-/// Parses a JSON file. Error: names the file; unreadable, larger than 512 MiB, or no JSON.
-[[nodiscard]] Result<nlohmann::json> readJson(const std::filesystem::path& file);
-
-/// Parses JSON text. Error: names `name`.
-[[nodiscard]] Result<nlohmann::json> parseJson(const std::string& text, const std::string& name);
 
 /// The finite numbers of `object[key]`: a number, or an array of them, or of arrays (row by row). Empty:
 /// missing, not `count` finite numbers, or no object.

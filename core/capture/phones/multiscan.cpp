@@ -104,14 +104,14 @@ class MultiscanImages {
 
 std::optional<ImageSequenceEntry> multiscanEntry(std::string_view line, const cv::Size& color_size,
                                                  int index) {
-  const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
-  const auto matrix = numbersOf(json, "intrinsics", 9);
+  const auto json = parseJson(line, "the line");
+  const auto matrix = json ? numbersOf(*json, "intrinsics", 9) : std::nullopt;
   if (!matrix) return std::nullopt;
   ImageSequenceEntry entry;
   entry.index = index;
-  entry.timestamp_s = numberOf(json, "timestamp").value_or(0);
+  entry.timestamp_s = numberOf(*json, "timestamp").value_or(0);
   entry.intrinsics = intrinsicsFromColumns(*matrix, color_size.width, color_size.height);
-  if (const auto columns = numbersOf(json, "transform", 16)) {
+  if (const auto columns = numbersOf(*json, "transform", 16)) {
     const Eigen::Matrix4d T_world_camera = Eigen::Map<const Eigen::Matrix4d>(columns->data());
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = T_world_camera;
     entry.T_world_camera = fromArkitAxes(poseFromRows({rows.data(), 16}));

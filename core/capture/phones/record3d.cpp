@@ -19,7 +19,7 @@ namespace scantrove {
 namespace {
 
 constexpr std::string_view kZipMagic = "PK\x03\x04";
-constexpr std::uint64_t kMaxMetadataBytes = std::uint64_t{512} << 20,
+constexpr std::uint64_t kMaxMetadataBytes = std::uint64_t{256} << 20,
                         kMaxImageBytes = std::uint64_t{256} << 20;
 
 /// A depth image that the device makes.

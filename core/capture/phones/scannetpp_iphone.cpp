@@ -3,16 +3,14 @@
 #include <lz4.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
-#include <fstream>
-#include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/base/regular_file.h"
 #include "core/base/stamped_pose.h"
 #include "core/base/text.h"
+#include "core/capture/containers/random_access_file.h"
 #include "core/capture/deflated_frames.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/phones/device_files.h"
@@ -42,25 +40,25 @@ cv::Mat millimetersFrom(const std::string& bytes) {
 /// bytes; DEFLATE: metres as float), or one DEFLATE stream of all frames (metres as float).
 class DepthFile {
  public:
-  explicit DepthFile(const std::filesystem::path& file) : file_(file), stream_(file, kFloatBytes) {
-    findBlocks();
+  explicit DepthFile(const std::filesystem::path& path)
+      : file_(RandomAccessFile::open(path)), stream_(path, kFloatBytes) {
+    if (file_) findBlocks();
   }
 
   [[nodiscard]] Result<cv::Mat> frame(int position) {
+    if (!file_) return fail(file_.error());
     if (blocks_.empty()) return stream_.frame(position).map(millimetersFrom);
-    if (position >= static_cast<int>(blocks_.size()))
-      return fail(file_.string() + " ends before this frame.");
+    const std::string name = file_->path().string();
+    if (position >= static_cast<int>(blocks_.size())) return fail(name + " ends before this frame.");
     const auto [begin, size] = blocks_[static_cast<std::size_t>(position)];
-    std::string bytes(size, '\0');
-    std::ifstream input(file_, std::ios::binary);
-    input.seekg(static_cast<std::streamoff>(begin));
-    if (!input.read(bytes.data(), static_cast<std::streamsize>(size)))
-      return fail("Cannot read " + file_.string() + ".", "Was a drive unplugged?");
+    const auto bytes = file_->read(begin, size);
+    if (!bytes) return fail(bytes.error());
+    const std::string_view block(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     std::string frame(kMillimeterBytes, '\0');
-    const int got = LZ4_decompress_safe(bytes.data(), frame.data(), static_cast<int>(size),
+    const int got = LZ4_decompress_safe(block.data(), frame.data(), static_cast<int>(size),
                                         static_cast<int>(frame.size()));
     if (got == static_cast<int>(kMillimeterBytes)) return millimetersFrom(frame);
-    return inflateBytes(bytes, kFloatBytes, file_.string()).map(millimetersFrom);
+    return inflateBytes(block, kFloatBytes, name).map(millimetersFrom);
   }
 
  private:
@@ -71,27 +69,24 @@ class DepthFile {
 
   /// Leaves `blocks_` empty unless blocks of plausible sizes fill the file exactly.
   void findBlocks() {
-    std::error_code error;
-    const std::uint64_t file_bytes = std::filesystem::file_size(file_, error);
-    std::ifstream input(file_, std::ios::binary);
+    constexpr std::uint32_t kMaxBlockBytes = 2 * kFloatBytes;
+    constexpr std::size_t kMostBlocks = 1'000'000;  // four hours
     std::vector<Block> blocks;
-    std::uint64_t at = 0;
-    while (!error && at < file_bytes) {
-      std::array<unsigned char, 4> size{};
-      input.seekg(static_cast<std::streamoff>(at));
-      if (!input.read(reinterpret_cast<char*>(size.data()), size.size())) return;
-      const std::uint32_t bytes =
-          size[0] | size[1] << 8U | size[2] << 16U | static_cast<std::uint32_t>(size[3]) << 24U;
-      constexpr std::uint32_t kMaxBlockBytes = 2 * kFloatBytes;
-      at += size.size();
-      if (bytes == 0 || bytes > kMaxBlockBytes || bytes > file_bytes - at) return;
+    for (std::uint64_t at = 0; at < file_->size();) {
+      const auto start = file_->peek(at, sizeof(std::uint32_t));
+      if (!start) return;
+      ByteCursor cursor(*start);
+      const auto bytes = cursor.get<std::uint32_t>();
+      at += sizeof bytes;
+      if (!cursor.isOk() || bytes == 0 || bytes > kMaxBlockBytes || bytes > file_->size() - at) return;
+      if (blocks.size() == kMostBlocks) return;
       blocks.push_back({at, bytes});
       at += bytes;
     }
     blocks_ = std::move(blocks);
   }
 
-  std::filesystem::path file_;
+  Result<RandomAccessFile> file_;
   std::vector<Block> blocks_;
   DeflatedFrames stream_;
 };

@@ -348,5 +348,12 @@ TEST(OniFile, IsRefused_WhenNamesOrLengthsWouldCrashOpenNi) {
   }
 }
 
+TEST(BadInput, RefusesATextBeforeReadingIt_WhenItIsTooLarge) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("depth.txt", "0 depth/0.png\n");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 30);  // sparse
+  EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("depth.txt"), HasSubstr("512 MB")));
+}
+
 }  // namespace
 }  // namespace scantrove

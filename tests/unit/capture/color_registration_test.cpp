@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/unit/capture/tiny_recordings.h"
 
 namespace scantrove {
@@ -137,6 +139,16 @@ TEST(BadInput, NamesTheFile_WhenItsColorCameraIsInvalid) {
   }
   folder.write("intrinsic.json", "{" + K + ", \"color_camera\": {" + K + "}}");
   EXPECT_THAT(openError(folder.path()), HasSubstr("T_color_depth"));
+}
+
+TEST(ColorRegistration, RefusesACameraOfAFile_WhenItIsNowhereNear) {
+  ColorCamera camera = kinectColorCamera();
+  for (const double x_m : {25.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    camera.T_color_depth.translation().x() = x_m;
+    const auto chosen = colorCameraFor(ColorRegistration{camera}, {640, 480}, kDepthK, "scan.bag");
+    ASSERT_FALSE(chosen) << x_m;
+    EXPECT_THAT(chosen.error().what, HasSubstr("more than 10 m"));
+  }
 }
 
 }  // namespace

@@ -74,5 +74,48 @@ TEST(DamagedContainer, IsReadOrRefused_WhenMatroska) {
                   "damaged.mkv");
 }
 
+/// sensor_msgs/Image whose rows are `step` bytes apart.
+std::string imageWithStep(std::uint32_t step) {
+  return RosBytes(false)
+      .header(kFirstStamp_ns, "optical")
+      .put(std::uint32_t{36})
+      .put(std::uint32_t{48})
+      .text("16UC1")
+      .put(std::uint8_t{0})
+      .put(step)
+      .list(std::string(std::size_t{step} * 36, '\1'))
+      .message();
+}
+
+TEST(DamagedContainer, IsRefused_WhenRowsOfDepthAreNotWholeNumbersApart) {
+  const TemporaryFolder folder;
+  ContainerMessages messages = registeredFrames(false, 1);
+  for (ContainerMessage& message : messages)
+    if (message.topic == "/camera/depth/image_raw") message.data = imageWithStep(97);
+  EXPECT_NE(openContainerError(folder.write("odd.bag", bagBytes(messages))).find("damaged"),
+            std::string::npos);
+  for (ContainerMessage& message : messages)
+    if (message.topic == "/camera/depth/image_raw") message.data = imageWithStep(98);
+  EXPECT_EQ(openContainerError(folder.write("even.bag", bagBytes(messages))), "opened");
+}
+
+TEST(DamagedContainer, IsRefused_WhenNamesOfTopicsWouldFillTheMemory) {
+  const TemporaryFolder folder;
+  ContainerMessages messages = registeredFrames(false);
+  messages.push_back({"/" + std::string(5000, 'n'), "std_msgs/String", kFirstStamp_ns, "text"});
+  const auto bag = folder.write("names.bag", bagBytes(messages, "bz2"));
+  EXPECT_NE(openContainerError(bag).find("more than 4096 bytes"), std::string::npos);
+  const auto mcap = folder.write("names.mcap", mcapBytes(messages, {"zstd", 4, true, true, "ros1"}));
+  EXPECT_NE(openContainerError(mcap).find("more than 4096 bytes"), std::string::npos);
+}
+
+TEST(DamagedContainer, IsRefused_WhenAttachmentsWouldFillTheMemory) {
+  const TemporaryFolder folder;
+  const std::string attached = ebmlElement(0x1941A469, std::string(std::size_t{20} << 20, '\0'));
+  const std::string whole = matroskaBytes({{"DEPTH", "b16g", 2, 2, {{0, "12345678"}}}}, "{}");
+  EXPECT_NE(openContainerError(folder.write("large.mkv", whole + attached + attached)).find("attachments"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace scantrove

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/capture/json_file.h"
 #include "core/capture/open_input.h"
 #include "tests/support/tiny_video.h"
 #include "tests/unit/capture/phone_files.h"
@@ -182,6 +183,36 @@ TEST(PhoneFolders, ReadsArkitScenes) {
   expectSensorIntrinsics(frames[0]);
   expectConfidence(frames[0]);
   EXPECT_FALSE(frames[0].color.empty());
+}
+
+TEST(PhoneFolders, LeavesOutPosesOfArkitScenes_WhenTheirTurnIsNotFinite) {
+  const TemporaryFolder folder;
+  writeImage(folder / "lowres_depth/41_10.100.png", tinyDepth(1500, kLidarSize));
+  folder.write("lowres_wide_intrinsics/41_10.100.pincam", "256 192 200 186.66667 127.5 95.5\n");
+  folder.write("lowres_wide.traj", "10.1 1e200 0 0 1 2 3\n");  // its length overflows
+  const auto frames = framesOf(folder.path(), "ARKitScenes");
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_FALSE(frames[0].T_world_camera);
+}
+
+TEST(PhoneFolders, CountsTimes_WhereAClockGivesNone) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 2; ++i) writeScannerAppFrame(folder, i, true);
+  folder.write("frame_00001.json", std::string(R"({"time": 1e300, "cameraPoseARFrame": )") + kArkitRows +
+                                       R"(, "intrinsics": )" + kIntrinsicRows + "}");
+  const auto frames = framesOf(folder.path(), "3D Scanner App");
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].timestamp_s, 0);
+  EXPECT_NEAR(frames[1].timestamp_s, 1.0 / 30, 1e-9);
+}
+
+TEST(PhoneFolders, RefusesJson_WhenItsValuesWouldFillTheMemory) {
+  const TemporaryFolder folder;
+  std::string json = "{\"frames\": [[]";
+  for (int i = 0; i < 21'000'000; ++i) json += ",0";
+  folder.write("transforms.json", json + "]}");
+  EXPECT_FALSE(readJson(folder / "transforms.json"));
+  EXPECT_THAT(readJson(folder / "transforms.json").error().what, HasSubstr("20 million"));
 }
 
 }  // namespace

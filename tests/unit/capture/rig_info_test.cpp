@@ -53,5 +53,14 @@ TEST(ThreeRScanFolder, ReadsPgmDepth) {
   EXPECT_EQ(source->next().frame.depth.at<std::uint16_t>(5, 5), 1234);
 }
 
+TEST(BundleFusionFolder, NamesTheSide_WhenNoImageIsSoLarge) {
+  const TemporaryFolder folder;
+  writeSevenScenes(folder.path(), 0, 1);
+  std::string info = rigInfo("500");
+  info.replace(info.find("m_depthWidth = 64"), 17, "m_depthWidth = 99999");
+  folder.write("info.txt", info);
+  EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("info.txt"), HasSubstr("m_depthWidth")));
+}
+
 }  // namespace
 }  // namespace scantrove
