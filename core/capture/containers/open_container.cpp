@@ -67,21 +67,18 @@ std::string adviceForContainer(const std::filesystem::path& file) {
   const std::string end = lowerCase(file.extension().string());
   if (end == ".svo" || end == ".svo2") {
     return "Export it with Stereolabs' ZED_SVO_Export, mode 4 (left image and 16-bit depth), sort the files "
-           "into "
-           "folders color and depth, and open the folder of both.";
+           "into folders color and depth, and open the folder of both with --intrinsics.";
   }
   if (end == ".xef") {
     return "Kinect Studio's raw files are read by Microsoft's SDK only: record a Kinect v2 with iai_kinect2 "
-           "to "
-           "a ROS bag (topics hd/image_color_rect and hd/image_depth_rect), and open that.";
+           "to a ROS bag (topics hd/image_color_rect and hd/image_depth_rect), and open that.";
   }
   const Result<std::string> start = readFile(file, kContainerStartBytes);
   const ByteView bytes = start ? containerView(*start) : ByteView();
   if (isZstd(bytes)) return "It is compressed as a whole: unpack it with `zstd -d`, and open the result.";
   if (start && start->substr(0, 8).ends_with("ftyp")) {
     return "A video holds no depth: record an OAK camera with DepthAI's recorder to an MCAP or ROS 2 file "
-           "with "
-           "depth, and open that; of a phone's recording, open the folder.";
+           "with depth, and open that; of a phone's recording, open the folder.";
   }
   return {};
 }
