@@ -42,11 +42,9 @@ std::optional<Eigen::Isometry3d> bopPose(const nlohmann::json& json) {
   if (!json.contains("cam_R_w2c") || !json.contains("cam_t_w2c")) return std::nullopt;
   const auto rotation = bopNumbers<9>(json, "cam_R_w2c");
   const auto place = bopNumbers<3>(json, "cam_t_w2c");
-  Eigen::Matrix4d T_camera_world = Eigen::Matrix4d::Identity();
-  T_camera_world.topLeftCorner<3, 3>() =
-      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data());
-  T_camera_world.topRightCorner<3, 1>() = Eigen::Map<const Eigen::Vector3d>(place.data()) / kMillimeters;
-  const auto motion = rigidMotion(T_camera_world);
+  const auto motion =
+      rigidMotion(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data()),
+                  Eigen::Map<const Eigen::Vector3d>(place.data()) / kMillimeters);
   return motion ? std::optional(motion->inverse()) : std::nullopt;
 }
 

@@ -127,6 +127,12 @@ Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin) {
   return {};
 }
 
+bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
+  constexpr float kAgree_px = 3;
+  return std::abs(a.fx - b.fx) < kAgree_px && std::abs(a.fy - b.fy) < kAgree_px &&
+         std::abs(a.cx - b.cx) < kAgree_px && std::abs(a.cy - b.cy) < kAgree_px;
+}
+
 Intrinsics fitToImages(const CameraModel& model, int width, int height) {
   if (model.K.width > 0 && model.K.height > 0) {
     return model.K.width == width && model.K.height == height ? model.K : model.K.resizedTo(width, height);

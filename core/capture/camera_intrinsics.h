@@ -29,6 +29,9 @@ inline constexpr Intrinsics kPrimeSenseIntrinsics{525.0F, 525.0F, 319.5F, 239.5F
 /// half an image outside.
 [[nodiscard]] Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin);
 
+/// Whether two intrinsics may be calibrations of one camera.
+[[nodiscard]] bool isSameCamera(const Intrinsics& a, const Intrinsics& b);
+
 /// The model scaled to images of `width` x `height`.
 [[nodiscard]] Intrinsics fitToImages(const CameraModel& model, int width, int height);
 

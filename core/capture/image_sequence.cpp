@@ -84,13 +84,6 @@ struct DepthUnits {
   }
 };
 
-/// Whether two intrinsics may be calibrations of one camera.
-bool isNear(const Intrinsics& a, const Intrinsics& b) {
-  constexpr float kAgree_px = 3;
-  return std::abs(a.fx - b.fx) < kAgree_px && std::abs(a.fy - b.fy) < kAgree_px &&
-         std::abs(a.cx - b.cx) < kAgree_px && std::abs(a.cy - b.cy) < kAgree_px;
-}
-
 class ImageSequenceSource final : public FrameSource {
  public:
   ImageSequenceSource(ImageSequence sequence, std::vector<std::size_t> selected, SourceInfo info,
@@ -229,7 +222,7 @@ Result<Images> firstUsable(const ImageSequence& sequence, const std::vector<std:
 /// The camera of the recording, before the size of the images is known.
 void setCamera(ImageSequence& sequence, const ImageSequenceEntry& first, const SourceOptions& options) {
   if (options.intrinsics) {
-    if (!isNear(sequence.camera.K, *options.intrinsics))
+    if (!isSameCamera(sequence.camera.K, *options.intrinsics))
       sequence.camera.lens.reset();  // it belongs to another camera
     sequence.camera.K = *options.intrinsics;
     sequence.camera.K.width = sequence.camera.K.height = 0;

@@ -42,6 +42,14 @@ std::optional<Eigen::Isometry3d> rigidMotion(const Eigen::Matrix4d& matrix) {
   return motion;
 }
 
+std::optional<Eigen::Isometry3d> rigidMotion(const Eigen::Matrix3d& rotation,
+                                             const Eigen::Vector3d& translation) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() = rotation;
+  matrix.topRightCorner<3, 1>() = translation;
+  return rigidMotion(matrix);
+}
+
 Result<Trajectory> readTumTrajectory(const std::filesystem::path& file) {
   const Result<std::string> text = readTextFile(file);
   if (!text) {

@@ -34,5 +34,8 @@ struct NumberedPose {
 /// The nearest rigid motion to `matrix`; empty if an element is not finite or the rotation part is not a
 /// rotation within 0.02.
 [[nodiscard]] std::optional<Eigen::Isometry3d> rigidMotion(const Eigen::Matrix4d& matrix);
+/// The same of a rotation and a translation.
+[[nodiscard]] std::optional<Eigen::Isometry3d> rigidMotion(const Eigen::Matrix3d& rotation,
+                                                           const Eigen::Vector3d& translation);
 
 }  // namespace scantrove

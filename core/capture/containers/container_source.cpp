@@ -2,7 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <utility>
 
 #include "core/capture/color_registration.h"
@@ -96,13 +95,6 @@ Result<ContainerFrame> firstContainerFrame(ContainerImages& images, const std::v
   return fail("None of the first " + std::to_string(probed) + " frames of " + path +
                   " can be used: " + first_error.value_or(Error{}).what,
               first_error.value_or(Error{}).advice);
-}
-
-/// Whether two intrinsics may be calibrations of one camera.
-bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
-  constexpr float kAgree_px = 3;
-  return std::abs(a.fx - b.fx) < kAgree_px && std::abs(a.fy - b.fy) < kAgree_px &&
-         std::abs(a.cx - b.cx) < kAgree_px && std::abs(a.cy - b.cy) < kAgree_px;
 }
 
 /// Chooses the depth camera.

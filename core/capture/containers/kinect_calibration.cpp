@@ -71,10 +71,8 @@ std::optional<KinectCamera> kinectCamera(const nlohmann::json& json) {
   std::copy_n(values.begin(), camera.values.size(), camera.values.begin());
   if (!std::ranges::all_of(camera.values, [](double value) { return std::isfinite(value); }))
     return std::nullopt;
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<3, 3>() = Eigen::Map<const Eigen::Matrix3d>(rotation.data()).transpose();
-  matrix.topRightCorner<3, 1>() = Eigen::Map<const Eigen::Vector3d>(translation.data());
-  const auto motion = rigidMotion(matrix);
+  const auto motion = rigidMotion(Eigen::Map<const Eigen::Matrix3d>(rotation.data()).transpose(),
+                                  Eigen::Map<const Eigen::Vector3d>(translation.data()));
   if (!motion) return std::nullopt;
   camera.T_camera_rig = *motion;
   return camera;

@@ -11,6 +11,7 @@
 #include "core/capture/containers/ros_images.h"
 #include "core/capture/containers/topic_choice.h"
 #include "core/capture/folder_listing.h"
+#include "core/image/metric_depth.h"
 
 namespace scantrove {
 
@@ -91,7 +92,7 @@ class MessageRecording final : public ContainerImages {
   }
 
   [[nodiscard]] double unitsPerMeter() {
-    if (topics_.depth_kind.is_metric) return kMetricDepthUnits;
+    if (topics_.depth_kind.is_metric) return kMetricUnitsPerMeter;
     if (!isRealsenseTopic(topics_.depth->name)) return kRosUnitsPerMeter;
     if (const auto unit = realsenseDepthUnit(*file_, topics_.depth->name)) return 1 / *unit;
     spdlog::warn("{}: the depth unit is not in the file; using millimetres. Else give --depth-scale.",

@@ -51,10 +51,8 @@ std::optional<Eigen::Isometry3d> realsenseTransform(const std::string& text) {
   const auto rotation = parseNumbers(realsenseValue(text, "rotation"));
   const auto translation = parseNumbers(realsenseValue(text, "translation"));
   if (!rotation || !translation || rotation->size() != 9 || translation->size() != 3) return std::nullopt;
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<3, 3>() = Eigen::Map<const Eigen::Matrix3d>(rotation->data());
-  matrix.topRightCorner<3, 1>() = Eigen::Map<const Eigen::Vector3d>(translation->data());
-  return rigidMotion(matrix);
+  return rigidMotion(Eigen::Map<const Eigen::Matrix3d>(rotation->data()),
+                     Eigen::Map<const Eigen::Vector3d>(translation->data()));
 }
 
 }  // namespace scantrove

@@ -9,6 +9,7 @@
 #include "core/capture/folder_listing.h"
 #include "core/image/image_file.h"
 #include "core/image/image_header.h"
+#include "core/image/metric_depth.h"
 
 namespace scantrove {
 
@@ -96,18 +97,8 @@ void removeSaturated(cv::Mat& depth) {
 }
 
 std::uint16_t metricUnits(double meters) {
-  const double units = std::floor(meters * kMetricDepthUnits + 0.5);
+  const double units = std::floor(meters * kMetricUnitsPerMeter + 0.5);
   return units > 0 && units < UINT16_MAX ? static_cast<std::uint16_t>(units) : std::uint16_t{0};  // NaN: 0
-}
-
-cv::Mat depthFromMeters(const cv::Mat& meters) {
-  cv::Mat depth(meters.size(), CV_16UC1);
-  for (int y = 0; y < depth.rows; ++y) {
-    const auto* const from = meters.ptr<float>(y);
-    auto* const to = depth.ptr<std::uint16_t>(y);
-    std::transform(from, from + depth.cols, to, [](float z) { return metricUnits(static_cast<double>(z)); });
-  }
-  return depth;
 }
 
 /// compressed_depth_image_transport stores metres as z = a / (value - b).
@@ -131,7 +122,7 @@ Result<cv::Mat> decodeRawDepth(ByteView message, const MessageTopic& topic, cons
   if (!pixels) return pixels;
   cv::Mat copy = pixels->clone();
   if (image->is_big_endian) swapBytes(copy);
-  if (is_metric) return depthFromMeters(copy);
+  if (is_metric) return toDepthUnits(copy, static_cast<float>(1 / kMetricUnitsPerMeter));
   removeSaturated(copy);
   return copy;
 }

@@ -12,12 +12,9 @@ namespace scantrove {
 /// What an image topic holds, as its first message says.
 struct RosImageKind {
   enum class Content { depth, color, other } content = Content::other;
-  bool is_metric = false;  ///< depth in floating-point metres; decodeRosDepth gives kMetricDepthUnits
+  bool is_metric = false;  ///< depth in floating-point metres; decodeRosDepth gives kMetricUnitsPerMeter
   RosHeader header;
 };
-
-/// Units per metre that decodeRosDepth gives depth in metres: a quarter of a millimetre, up to 16.38 m.
-inline constexpr double kMetricDepthUnits = 4000;
 
 /// Bytes of a message that are enough for rosImageKind and decodeRosHeader.
 inline constexpr std::size_t kRosStartBytes = 1024;
@@ -27,8 +24,8 @@ inline constexpr std::size_t kRosStartBytes = 1024;
 [[nodiscard]] std::optional<RosImageKind> rosImageKind(ByteView start, const MessageTopic& topic);
 
 /// Decodes a depth message to CV_16UC1, 0 = no reading: 16UC1 and mono16 in their own units (65535 becomes
-/// 0), 32FC1 in kMetricDepthUnits, and both as PNG or RVL of compressed_depth_image_transport. Error: names
-/// `name`; damaged, of another encoding, too large.
+/// 0), 32FC1 in kMetricUnitsPerMeter, and both as PNG or RVL of compressed_depth_image_transport. Error:
+/// names `name`; damaged, of another encoding, too large.
 [[nodiscard]] Result<cv::Mat> decodeRosDepth(ByteView message, const MessageTopic& topic,
                                              const std::string& name);
 

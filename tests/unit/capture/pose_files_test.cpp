@@ -62,5 +62,14 @@ TEST(RigidMotion, AcceptsRoundedRotationsAndReturnsExactOnes) {
   EXPECT_FALSE(rigidMotion(mirrored));
 }
 
+TEST(PoseFiles, MakesAMotionOfARotationAndATranslation) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const auto motion = rigidMotion(turn, Eigen::Vector3d(1, 2, 3));
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE(motion->linear().isApprox(turn));
+  EXPECT_EQ(motion->translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_FALSE(rigidMotion(2 * turn, Eigen::Vector3d::Zero()));
+}
+
 }  // namespace
 }  // namespace scantrove
