@@ -32,11 +32,13 @@ Result<std::size_t> MessageFile::topicAt(std::string_view name, std::string_view
   if (name.size() > kLongestName || type.size() > kLongestName)
     return fail(path_.string() + " is damaged: the name of a topic has more than 4096 bytes.",
                 "Copy or record it again.");
+  const auto known = positions_.find(std::string(name));
+  if (known != positions_.end()) return known->second;
   if (topics_.size() >= kMostTopics)
     return fail(path_.string() + " holds more than 10,000 topics.", "Leave out other topics.");
-  const auto [found, is_new] = positions_.try_emplace(std::string(name), topics_.size());
-  if (is_new) topics_.push_back({std::string(name), withoutMsg(type), encoding, {}});
-  return found->second;
+  positions_.emplace(name, topics_.size());
+  topics_.push_back({std::string(name), withoutMsg(type), encoding, {}});
+  return topics_.size() - 1;
 }
 
 Result<void> MessageFile::addMessage(std::size_t topic, const MessageEntry& entry) {
