@@ -1,24 +1,14 @@
-#include "tests/app/scantrove_program.h"
+#include "tests/app/demo_scan.h"
 
 namespace scantrove::test {
 namespace {
 
-/// A catalogue with at least two objects from a scan of the demo, made once for all tests of this file.
+/// A catalogue with at least two objects from a scan of the demo.
 class ObjectsCommandTest : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    folder_ = new TemporaryFolder;
-    const Finished run = scantrove({"scan", "demo", "--frames", "40", "--out", *folder_ / "out"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-  }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-
   void SetUp() override {
     copy_ = copies_ / "catalogue.sqlite";
-    std::filesystem::copy_file(*folder_ / "out/catalogue.sqlite", copy_);
+    std::filesystem::copy_file(demoFolder() / "scan/catalogue.sqlite", copy_);
     const auto objects = jsonOf(run({"list"}));
     ASSERT_GE(objects.size(), 2U) << "the demo did not give two objects";
     first_ = objects[0]["name"];
@@ -34,13 +24,11 @@ class ObjectsCommandTest : public testing::Test {
     return scantrove(arguments);
   }
 
-  static TemporaryFolder* folder_;
   TemporaryFolder copies_;
   std::string copy_, first_, second_;
   int first_views_ = 0, second_views_ = 0;
   std::size_t count_ = 0;
 };
-TemporaryFolder* ObjectsCommandTest::folder_ = nullptr;
 
 TEST_F(ObjectsCommandTest, ListsNamesAndSizes) {
   EXPECT_THAT(first_, testing::StartsWith("Obj_"));

@@ -18,10 +18,10 @@ class SessionCommandTest : public DemoScanTest {
     arguments.emplace_back("--json");
     return jsonOf(session(arguments));
   }
-  /// The numbers of all regions, largest first.
-  [[nodiscard]] std::vector<int> byDecreasingSize() const {
+  /// The numbers of the regions of the scan as it was made, largest first.
+  static std::vector<int> byDecreasingSize() {
     std::vector<int> numbers;
-    for (const Json& one : regions()) numbers.push_back(one["id"]);
+    for (const Json& one : regionsAtFirst()) numbers.push_back(one["id"]);
     return numbers;
   }
 };
@@ -188,9 +188,7 @@ TEST_F(SessionCommandTest, NamedRegionBecomesAnObjectOfTheCatalogue) {
   };
   const Json before = objects();
   std::string unbound, bound;
-  std::vector<Json> all = Json::parse(regionTable());
-  std::sort(all.begin(), all.end(), [](const Json& a, const Json& b) { return a["voxels"] > b["voxels"]; });
-  for (const Json& region : all) {
+  for (const Json& region : regionsAtFirst()) {
     std::string& first = region["object"].is_null() ? unbound : bound;
     if (first.empty()) first = std::to_string(region["id"].get<int>());
   }

@@ -21,16 +21,8 @@ class SuggestionsTest : public DemoScanTest {
  protected:
   using Masks = std::map<std::string, cv::Mat>;  // by file name, CV_16UC1
 
-  /// The true instances of the demo's frames.
-  static const fs::path& truth() {
-    static const TemporaryFolder folder;
-    static const fs::path path = [] {
-      const Finished run = scantrove({"record", "demo", "--frames", "40", "--out", folder / "truth"});
-      EXPECT_EQ(run.exit_code, 0) << run.err;
-      return folder / "truth";
-    }();
-    return path;
-  }
+  /// The recording of the demo's frames with their true instances.
+  static fs::path truth() { return demoFolder() / "truth"; }
   static Masks trueMasks() {
     Masks masks;
     for (int frame = 0; frame < 40; ++frame) {
