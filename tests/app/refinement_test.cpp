@@ -14,9 +14,10 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-std::vector<std::string> argumentsInto(const fs::path& out) {
-  return {"scan", "demo:tabletop:7", "--frames", "30", "--out", out};
+std::vector<std::string> argumentsInto(const fs::path& out, int frames = 30) {
+  return {"scan", "demo:tabletop:7", "--frames", std::to_string(frames), "--out", out};
 }
+constexpr int kFew = 12;  // frames, where a refinement only has to exist
 
 nlohmann::json refinementIn(const fs::path& out) {
   const auto report = nlohmann::json::parse(readText(out / "report.json"), nullptr, false);
@@ -25,7 +26,7 @@ nlohmann::json refinementIn(const fs::path& out) {
 
 TEST(ScanRefinement, IsReportedOnStderrAndInTheReport) {
   const TemporaryFolder folder;
-  const Finished run = scantrove(argumentsInto(folder / "out"));
+  const Finished run = scantrove(argumentsInto(folder / "out", kFew));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("Refining objects with "));
   const auto refinement = refinementIn(folder / "out");
@@ -37,7 +38,7 @@ TEST(ScanRefinement, IsReportedOnStderrAndInTheReport) {
 
 TEST(ScanRefinement, IsDoneLater_WhenSkipped) {
   const TemporaryFolder folder;
-  std::vector<std::string> arguments = argumentsInto(folder / "out");
+  std::vector<std::string> arguments = argumentsInto(folder / "out", kFew);
   arguments.push_back("--skip-refinement");
   const Finished run = scantrove(arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;

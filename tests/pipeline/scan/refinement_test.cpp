@@ -22,10 +22,12 @@ namespace {
 using test::runScan;
 using test::ScanEnding;
 
-ScanRequest requestIn(const test::TemporaryFolder& folder) {
+constexpr int kFew = 12;  // frames, where a refinement only has to exist
+
+ScanRequest requestIn(const test::TemporaryFolder& folder, int frames = 40) {
   ScanRequest request;
   request.source = "demo:tabletop:7";
-  request.source_options.frames = 40;
+  request.source_options.frames = frames;
   request.output_folder = folder / "out";
   request.database = (folder / "catalogue.sqlite").string();
   return request;
@@ -58,7 +60,7 @@ TEST(Refinement, ReportsItsProgress) {
 
 TEST(Refinement, IsSkipped_WhenRequested) {
   const test::TemporaryFolder folder;
-  ScanRequest request = requestIn(folder);
+  ScanRequest request = requestIn(folder, kFew);
   request.skip_refinement = true;
   const ScanEnding ending = runScan(std::move(request));
   ASSERT_TRUE(ending.report) << ending.error;
@@ -198,9 +200,9 @@ TEST_F(LaterRefinementTest, ContinuesWhereItStopped) {
   expectAsDirect(folder);
 }
 
-TEST_F(LaterRefinementTest, KeepsEditsMadeBefore) {
+TEST(LaterRefinement, KeepsEditsMadeBefore) {
   const test::TemporaryFolder folder;
-  ScanRequest request = requestIn(folder);
+  ScanRequest request = requestIn(folder, kFew);
   request.skip_refinement = true;
   ASSERT_TRUE(runScan(std::move(request)).report);
   RegionId edited;
@@ -224,9 +226,9 @@ TEST_F(LaterRefinementTest, KeepsEditsMadeBefore) {
   EXPECT_EQ((*session)->history().entries().size(), 1U);
 }
 
-TEST_F(LaterRefinementTest, RefusesAMissingOrForeignCatalogue) {
+TEST(LaterRefinement, RefusesAMissingOrForeignCatalogue) {
   const test::TemporaryFolder folder;
-  ScanRequest request = requestIn(folder);
+  ScanRequest request = requestIn(folder, kFew);
   request.skip_refinement = true;
   ASSERT_TRUE(runScan(std::move(request)).report);
   const test::QtMainThread qt;
@@ -262,7 +264,7 @@ TEST(Refinement, EndsAtTheNextFrame_WhenSkippedDuringIt) {
 
 TEST(Refinement, IsOmitted_WithoutASession) {
   const test::TemporaryFolder folder;
-  ScanRequest request = requestIn(folder);
+  ScanRequest request = requestIn(folder, kFew);
   request.session = false;
   const ScanEnding ending = runScan(std::move(request));
   ASSERT_TRUE(ending.report) << ending.error;

@@ -41,12 +41,11 @@ constexpr FailingWrite kResult{kSession, "facts", "name LIKE 'namings %'"};
 class InterruptedEditsTest : public ScanWorkerTest {
  protected:
   void SetUp() override {
-    ScanRequest scan = request(12);
-    scan.output_folder = folder_ / "scan";
-    scan.database = (folder_ / "scan" / kCatalogue).string();
-    worker_.post(StartScan{scan});
-    worker_.wait();
-    ASSERT_EQ(worker_.state(), ScanState::finished) << log_.failure();
+    static const test::TemporaryFolder scanned;  // by the first test of the process
+    if (!fs::exists(scanned / "scan")) {
+      ASSERT_NO_FATAL_FAILURE(scanInto(scanned / "scan"));
+    }
+    fs::copy(scanned / "scan", folder_ / "scan", fs::copy_options::recursive);
     const auto session = open();
     ASSERT_TRUE(session);
     const auto regions = session->regions();
@@ -61,6 +60,14 @@ class InterruptedEditsTest : public ScanWorkerTest {
     objects_before_ = rowsOf("objects");
   }
 
+  void scanInto(const fs::path& folder) {
+    ScanRequest scan = request(12);
+    scan.output_folder = folder;
+    scan.database = (folder / kCatalogue).string();
+    worker_.post(StartScan{scan});
+    worker_.wait();
+    ASSERT_EQ(worker_.state(), ScanState::finished) << log_.failure();
+  }
   [[nodiscard]] std::unique_ptr<OpenSession> open() const {
     auto session = OpenSession::open(folder_ / "scan");
     EXPECT_TRUE(session) << session.error().message();

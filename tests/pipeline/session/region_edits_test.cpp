@@ -301,7 +301,7 @@ TEST_F(JoinAndCutTest, AreKeptToTheEnd_AndWhenTheScanResumes) {
 
 TEST_F(JoinAndCutTest, CutIsUndone_AfterMoreFrames) {
   ScanWorker worker([&](const ScanEvent& event) { log_.add(event); });
-  ScanRequest requested = request(0, 60);
+  ScanRequest requested = request(0, 40);
   requested.start_paused = true;
   worker.post(StartScan{requested});
   for (int i = 0; i < kEditedAfter; ++i) worker.post(StepScan{});
