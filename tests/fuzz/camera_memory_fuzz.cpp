@@ -32,7 +32,7 @@ CameraMemory someMemory(With with) {
     memory.reference_normals_world.assign(12, {0, 0, 1, 1});
   }
   if (with == With::device) {
-    DeviceMotion::Memory& device = memory.tracker->device.emplace();
+    DeviceMotion::Memory& device = memory.tracker->device.emplace(DeviceMotion::Memory{});
     device.time_s = 3;
     device.motion.duration_s = device.jump.duration_s = 0.2;
     device.drift = {0.1, 0.2};
