@@ -176,7 +176,8 @@ Result<std::unique_ptr<FrameSource>> openContainerSource(std::unique_ptr<Contain
   setup.info.frame_count = static_cast<int>(setup.selected.size());
   SCANTROVE_TRY(setDepthCamera(setup, *cameras, *first, path.string(), options));
   if (images->hasColor()) SCANTROVE_TRY(setColorCamera(setup, *cameras, *first, path.string(), options));
-  warnOfImplausibleDepth(first->depth, static_cast<double>(setup.meters_per_unit), setup.info.name);
+  setup.info.implausible_depth =
+      warnOfImplausibleDepth(first->depth, 1.0 / static_cast<double>(setup.meters_per_unit), setup.info.name);
   return std::make_unique<ContainerSource>(std::move(images), std::move(setup));
 }
 

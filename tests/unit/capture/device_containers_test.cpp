@@ -18,6 +18,7 @@ TEST(DeviceContainers, ReadsARealsenseBag) {
   const auto source = openInput(file.string(), {});
   ASSERT_TRUE(source) << source.error().message();
   EXPECT_EQ((*source)->info().kind, "RealSense recording");
+  EXPECT_FALSE((*source)->info().implausible_depth);
   EXPECT_NEAR((*source)->info().intrinsics.fx, 390.43F, 0.01F);
   EXPECT_NEAR((*source)->info().intrinsics.cx, 331.39F, 0.01F);
   const auto frames = readAllFrames(file);
@@ -41,6 +42,7 @@ TEST(DeviceContainers, ReadsAnAzureKinectRecording) {
   SCANTROVE_NEED_RECORDING(file, "devices/containers/azure-kinect.mkv");
   const auto source = openInput(file.string(), {});
   ASSERT_TRUE(source) << source.error().message();
+  EXPECT_FALSE((*source)->info().implausible_depth);
   const Intrinsics& K = (*source)->info().intrinsics;
   EXPECT_NEAR(K.fx, 504.6F, 0.1F);
   EXPECT_NEAR(K.cx, 332.8F, 0.1F);
