@@ -8,8 +8,8 @@ namespace {
 
 /// Focal length below which a depth sensor is coarse: a phone's LiDAR has 213, the other sensors 365 or more.
 constexpr double kCoarseFocal_px = 300;
-/// A phone is carried through a room: its first frame says little about the next ones.
-constexpr double kCoarseNearest_m = 2.0, kCoarseFarthest_m = 2.5;
+/// A phone is carried through a room: it comes nearer to things than a far first frame says.
+constexpr double kCoarseFarthest_m = 2.5;
 constexpr double kUnknownDepth_m = 2.0;
 
 /// Footprints for which voxels of FusionParams are right. A Kinect's pixel covers 1.2 mm at 0.63 m, and 6.8
@@ -45,7 +45,7 @@ bool DepthSensor::isCoarse() const { return K.fx < kCoarseFocal_px; }
 
 double DepthSensor::usualDepth_m() const {
   if (!median_depth_m) return kUnknownDepth_m;
-  return isCoarse() ? std::clamp(*median_depth_m, kCoarseNearest_m, kCoarseFarthest_m) : *median_depth_m;
+  return isCoarse() ? std::min(*median_depth_m, kCoarseFarthest_m) : *median_depth_m;
 }
 
 double DepthSensor::footprint_m() const { return usualDepth_m() / static_cast<double>(K.fx); }

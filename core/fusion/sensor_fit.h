@@ -13,7 +13,8 @@ struct DepthSensor {
 
   /// Whether its pixels are as coarse as those of a phone's LiDAR (256 x 192).
   [[nodiscard]] bool isCoarse() const;
-  /// Distance for which the map is made: the median depth, for a coarse sensor 2 to 2.5 m, 2 m if not known.
+  /// Distance for which the map is made: the median depth, for a coarse sensor at most 2.5 m; 2 m if not
+  /// known.
   [[nodiscard]] double usualDepth_m() const;
   /// Width of the surface that a pixel covers at usualDepth_m(), seen straight on.
   [[nodiscard]] double footprint_m() const;

@@ -33,6 +33,8 @@ TEST(SensorFit, GivesAPhoneVoxelsThatNoPixelMisses) {
     EXPECT_LE(fitted.voxel_size_m, 0.020F) << depth_m;
     EXPECT_EQ(fitted.max_depth_m, 5) << "the LiDAR's range";
   }
+  EXPECT_EQ(fitToSensor(automatic(), {kPhoneDepth, 0.5}).voxel_size_m, FusionParams{}.voxel_size_m)
+      << "a board on a table, half a metre away: a pixel covers 2.3 mm";
   // 2 m / 213 px = 9.39 mm, times 1.5.
   EXPECT_FLOAT_EQ(fitToSensor(automatic(), {kPhoneDepth, 2.0}).voxel_size_m, 0.0141F);
 }
