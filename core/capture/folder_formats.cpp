@@ -58,6 +58,10 @@ OpenedFolder openSensIn(const Folder& folder, const Names& names, const SourceOp
   return openSensFile(folder / onlySensFile(names), options);
 }
 
+bool fitsFoundationPose(const Folder& folder, const Names& names) {
+  return isFoundationPoseFolder(folder) && !isTumFolder(names);  // TUM's lists say how the images pair
+}
+
 bool fitsRosbag2(const Folder& folder, const Names&) {
   const auto file = rosbag2FileIn(folder);
   return !file || *file;  // opening says what is wrong
@@ -85,7 +89,7 @@ const std::vector<FolderFormat>& folderFormats() {
       {"TUM RGB-D", fitsNames<isTumFolder>, openByFolder<openTumFolder>},
       {"NYUv2 raw", fitsNames<isNyuRawFolder>, openNyuRawFolder},
       {"SceneNN", fitsFolder<isSceneNnFolder>, openByFolder<openSceneNnFolder>},
-      {"FoundationPose", fitsFolder<isFoundationPoseFolder>, openByFolder<openFoundationPoseFolder>},
+      {"FoundationPose", fitsFoundationPose, openByFolder<openFoundationPoseFolder>},
       {".sens file", fitsSens, openSensIn},
       {"ROS 2 recording", fitsRosbag2, openRosbag2In},
       {"a phone's recording", isPhoneFolder, openPhoneFolder},

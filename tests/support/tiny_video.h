@@ -52,6 +52,7 @@ inline void writeTinyVideo(const std::filesystem::path& file, int frames, int wi
     }
     avcodec_send_frame(codec, i < frames ? picture : nullptr);
     while (avcodec_receive_packet(codec, packet) == 0) {
+      packet->duration = 1;  // without it, the edit list of an .mp4 file cuts off the last picture
       av_packet_rescale_ts(packet, codec->time_base, stream->time_base);
       packet->stream_index = stream->index;
       av_interleaved_write_frame(format, packet);
