@@ -6,15 +6,18 @@
 namespace scantrove {
 namespace {
 
-/// Focal length below which a depth sensor is coarse: a phone's LiDAR has 213, the other sensors 365 or more.
-constexpr double kCoarseFocal_px = 300;
+/// Focal length below which a depth sensor is coarse: a phone's LiDAR has 193 to 213, a Kinect of 320 x 240
+/// pixels 262, the other sensors 365 or more.
+constexpr double kCoarseFocal_px = 230;
 /// A phone is carried through a room: it comes nearer to things than a far first frame says.
 constexpr double kCoarseFarthest_m = 2.5;
 constexpr double kUnknownDepth_m = 2.0;
 
-/// Footprints for which voxels of FusionParams are right. A Kinect's pixel covers 1.2 mm at 0.63 m, and 6.8
-/// mm at 3.6 m.
+/// Footprints for which voxels of FusionParams are right. A Kinect's pixel covers 1.2 mm at 0.63 m.
 constexpr double kFinestFootprint_m = 0.0012, kCoarsestFootprint_m = 0.0068;
+/// Sensors that are not coarse keep these voxels up to this depth, where a Kinect's pixel covers 6.8 mm:
+/// recordings of half the resolution lose their tracking with larger ones.
+constexpr double kUsualVoxels_m = 3.57;
 /// Of scans of a chair, a board and a corridor by a phone (9.4 mm a pixel at 2 m): at 5.9 mm voxels lie
 /// between the pixels and surfaces are speckled; at 15 mm each voxel has one or two readings a frame.
 constexpr double kVoxelsPerFootprint = 1.5;
@@ -32,10 +35,12 @@ float nearestFor(double depth_m) {
 
 double tenthOfMillimeter(double m) { return std::round(m * 1e4) / 1e4; }
 
-float voxelSizeFor(double footprint_m) {
+float voxelSizeFor(const DepthSensor& sensor) {
   const float usual = FusionParams{}.voxel_size_m;
+  const double footprint_m = sensor.footprint_m();
   if (footprint_m < kFinestFootprint_m) return usual / 2;
-  if (footprint_m <= kCoarsestFootprint_m) return usual;
+  const bool is_near = !sensor.isCoarse() && sensor.usualDepth_m() <= kUsualVoxels_m;
+  if (is_near || footprint_m <= kCoarsestFootprint_m) return usual;
   return static_cast<float>(tenthOfMillimeter(std::min(kVoxelsPerFootprint * footprint_m, kLargestVoxel_m)));
 }
 
@@ -53,7 +58,7 @@ double DepthSensor::footprint_m() const { return usualDepth_m() / static_cast<do
 FusionParams fitToSensor(FusionParams params, const DepthSensor& sensor) {
   const FusionParams usual;
   const double depth_m = sensor.median_depth_m.value_or(kUnknownDepth_m);
-  if (params.voxel_size_m == kAutomatic) params.voxel_size_m = voxelSizeFor(sensor.footprint_m());
+  if (params.voxel_size_m == kAutomatic) params.voxel_size_m = voxelSizeFor(sensor);
   if (params.min_depth_m == kAutomatic) params.min_depth_m = nearestFor(depth_m);
   if (params.max_depth_m == kAutomatic) {
     const double farthest_m = sensor.isCoarse() ? usual.max_depth_m : kRangeOfDepth * depth_m;

@@ -49,6 +49,11 @@ TEST(SensorFit, GivesCloseUpsFinerVoxels_AndHallsCoarserOnesAndMoreRange) {
   EXPECT_EQ(fitToSensor(automatic(), {kKinectDepth, 30.0}).max_depth_m, 10);
 }
 
+TEST(SensorFit, GivesAKinectOfHalfTheResolutionTheSameVoxels) {
+  const Intrinsics half = kKinectDepth.resizedTo(320, 240);
+  EXPECT_EQ(fitToSensor(automatic(), {half, 2.5}).voxel_size_m, FusionParams{}.voxel_size_m);
+}
+
 TEST(SensorFit, LeavesWhatAUserSets) {
   FusionParams set = automatic();
   set.voxel_size_m = 0.004F;
