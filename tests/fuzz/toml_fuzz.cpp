@@ -8,8 +8,8 @@ namespace {
 void checkRanges(const ScanParams& params) {
   for (const ParamInfo& info : paramRegistry()) {
     const double value = info.get(params);
-    require(value >= info.minimum - 1e-6 && value <= info.maximum * (1 + 1e-6),
-            "parameters stay in their range");
+    const bool is_inside = value >= info.minimum - 1e-6 && value <= info.maximum * (1 + 1e-6);
+    require(is_inside || info.isAutomatic(params), "parameters stay in their range");
     require(!info.text(params).empty(), "parameters can be written");
   }
 }
@@ -24,6 +24,7 @@ std::vector<std::string> seeds() {
           "fusion.max_depth_m = 4.0\n",
           "segmentation.k=0.25",
           "recognition.model=nets/a.onnx",
+          "fusion.voxel_size_m=auto",
           "labeling.rule=thesis"};
 }
 
