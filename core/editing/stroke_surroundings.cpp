@@ -13,7 +13,7 @@ namespace {
 /// kSlow_lab, do not count.
 constexpr float kCrossed_lab = 5;
 constexpr float kSlow_lab = 0.3F;
-/// Smaller pieces are specks.
+/// Smaller components are noise.
 constexpr std::size_t kLeastPiece = 30;
 
 /// 1 for voxels that differ in colour from the stroke and lie across an edge.

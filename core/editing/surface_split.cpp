@@ -177,7 +177,7 @@ class Components {
 };
 
 /// Joins components that are still too small, because nothing touches them, with the largest.
-void joinSpecks(Components& components, std::size_t voxels, int min_voxels) {
+void joinSmallest(Components& components, std::size_t voxels, int min_voxels) {
   std::uint32_t largest = 0;
   for (std::uint32_t voxel = 0; voxel < voxels; ++voxel) {
     const std::uint32_t component = components.of(voxel);
@@ -226,7 +226,7 @@ std::vector<std::uint32_t> segmentSurface(const SurfaceGraph& graph, float k, in
     if (a != b && std::min(components.size(a), components.size(b)) < min_voxels)
       components.join(a, b, edge.weight);
   }
-  joinSpecks(components, graph.voxels.size(), min_voxels);
+  joinSmallest(components, graph.voxels.size(), min_voxels);
   std::vector<std::uint32_t> part(graph.voxels.size());
   std::vector<std::uint32_t> number(graph.voxels.size(), std::numeric_limits<std::uint32_t>::max());
   std::uint32_t parts = 0;
