@@ -18,9 +18,10 @@
 
 namespace scantrove::test {
 
-/// A synthetic room before the Kinect of NYUv2: a wall, a floor and two boxes of one class. The numbers of
-/// the cameras are those of the data set's toolbox (camera_params.m), which counts pixels from 1. World
-/// frame: the depth camera of frame 0. Exact but for the steps of the raw depth.
+/// A synthetic room before the Kinect of NYUv2: two walls, a floor and two boxes of one class, all papered
+/// with squares in random shades, so that a camera can be tracked. The numbers of the cameras are those of
+/// the data set's toolbox (camera_params.m), which counts pixels from 1. World frame: the depth camera of
+/// frame 0. Exact but for the steps of the raw depth.
 class NyuRoom {
  public:
   static constexpr double kStep_m = 0.008;  ///< the camera moves to the right between frames
@@ -29,6 +30,7 @@ class NyuRoom {
     double z = std::numeric_limits<double>::infinity();  ///< in the camera that looks
     int label = 0;                                       ///< 1 wall, 2 floor, 3 box
     int instance = 0;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< world
   };
 
   explicit NyuRoom(const cv::Size& size) : size_(size) {
@@ -72,7 +74,8 @@ class NyuRoom {
     const std::vector<Hit> hits = cast(color_rays_, pose(frame) * T_color_depth_.inverse());
     auto hit = hits.begin();
     for (cv::Vec3b& pixel : image) {
-      pixel = kColors[static_cast<std::size_t>(hit->label == 3 ? 2 + hit->instance : hit->label)];
+      pixel =
+          kColors[static_cast<std::size_t>(hit->label == 3 ? 2 + hit->instance : hit->label)] * shade(*hit);
       ++hit;
     }
     return image;
@@ -113,6 +116,14 @@ class NyuRoom {
     return rays;
   }
 
+  /// 0.6 to 1, the same in each square of 7 cm.
+  static double shade(const Hit& hit) {
+    std::uint32_t hash = 0;
+    for (const double m : {hit.place.x(), hit.place.y(), hit.place.z()})
+      hash = (hash + static_cast<std::uint32_t>(static_cast<int>(std::floor(m / 0.07 + 0.01)))) * 2654435761U;
+    return 0.6 + 0.4 * static_cast<double>(hash >> 16 & 0xFF) / 255;
+  }
+
   static Eigen::Isometry3d pose(int frame) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.translation().x() = kStep_m * frame;
@@ -130,9 +141,10 @@ class NyuRoom {
   static Hit cast(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction) {
     Hit hit;
     const auto take = [&](double z, int label, int instance) {
-      if (z > 0 && z < hit.z) hit = {z, label, instance};
+      if (z > 0 && z < hit.z) hit = {z, label, instance, eye + z * direction};
     };
     take((2.4 - eye.z()) / direction.z(), 1, 1);
+    take((-0.8 - eye.x()) / direction.x(), 1, 2);
     take((0.6 - eye.y()) / direction.y(), 2, 1);
     take(boxDistance(eye, direction, {-0.45, 0.1, 1.3}, {-0.05, 0.6, 1.7}), 3, 1);
     take(boxDistance(eye, direction, {0.15, 0.2, 1.5}, {0.5, 0.6, 1.9}), 3, 2);
