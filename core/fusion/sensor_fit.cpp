@@ -15,8 +15,8 @@ constexpr double kUnknownDepth_m = 2.0;
 
 /// Footprints for which voxels of FusionParams are right. A Kinect's pixel covers 1.2 mm at 0.63 m.
 constexpr double kFinestFootprint_m = 0.0012, kCoarsestFootprint_m = 0.0068;
-/// Sensors that are not coarse keep these voxels up to this depth, where a Kinect's pixel covers 6.8 mm:
-/// recordings of half the resolution lose their tracking with larger ones.
+/// Sensors that are not coarse keep these voxels up to this depth, where a Kinect's pixel covers 6.8 mm.
+/// Images of half its resolution show the same things, which need the same voxels.
 constexpr double kUsualVoxels_m = 3.57;
 /// Of scans of a chair, a board and a corridor by a phone (9.4 mm a pixel at 2 m): at 5.9 mm voxels lie
 /// between the pixels and surfaces are speckled; at 15 mm each voxel has one or two readings a frame.

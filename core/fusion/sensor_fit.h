@@ -23,7 +23,8 @@ struct DepthSensor {
 /// Replaces parameters that are kAutomatic by those that fit the sensor; all others stay. A Kinect 0.7 to 3.5
 /// m from the scene gets the defaults of FusionParams.
 /// - Voxels are smaller where several pixels fall into one, and larger where pixels fall between them:
-///   half as large below 1.2 mm of footprint, 1.5 footprints (at most 20 mm) above 6.8 mm.
+///   half as large below 1.2 mm of footprint, 1.5 footprints (at most 20 mm) above 6.8 mm. Sensors that are
+///   not coarse keep the usual voxels up to 3.57 m, whatever their resolution.
 /// - The range ends at 1.5 times the median depth, within 5 and 10 m; that of a coarse sensor at 5 m.
 /// - It begins at 0.3 m, in close-ups (below 0.6 m) at a third of the median depth.
 [[nodiscard]] FusionParams fitToSensor(FusionParams params, const DepthSensor& sensor);
