@@ -7,6 +7,7 @@
 
 #include "app/stop_signal.h"
 #include "core/base/urgent_end.h"
+#include "core/capture/open_input.h"
 #include "core/scan/scan_worker.h"
 
 namespace scantrove {
@@ -47,7 +48,7 @@ class Runner {
   Result<ScanReport> run(ScanRequest request) {
     constexpr std::chrono::milliseconds kPoll{20};
     if (request.refine_session) setAtStop(AtStop::unfinished);  // the scan is stored already
-    is_live_ = request.source.starts_with("camera") || request.source.starts_with("freenect");
+    is_live_ = isCameraName(request.source);
     worker_.post(StartScan{std::move(request)});
     while (true) {
       if (const auto event = events_.pop(kPoll)) {

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <filesystem>
 
+#include "core/capture/open_input.h"
+
 namespace scantrove {
 namespace {
 
@@ -12,12 +14,10 @@ std::string checkSource(const std::string& source) {
     return source == kind || source.starts_with(kind + ":");
   };
   std::error_code error;  // for example a dangling link, which openSource() reports
-  if (names("demo") || names("camera") || names("freenect") || std::filesystem::exists(source, error) ||
-      error)
-    return {};
+  if (names("demo") || isCameraName(source) || std::filesystem::exists(source, error) || error) return {};
   return "'" + source +
          "' is neither a command nor something to open (a folder of a recording or of a saved scan, a "
-         "recorded file, demo, camera, freenect)";
+         "recorded file, demo, camera, freenect, realsense, record3d)";
 }
 
 /// "1400x900"

@@ -1,7 +1,5 @@
 #include "core/capture/camera_diagnostics.h"
 
-#include <grp.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,7 +7,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/capture/device_access.h"
 #include "core/capture/freenect_source.h"
+#include "core/capture/live/video_nodes.h"
 
 namespace scantrove {
 
@@ -18,7 +18,8 @@ namespace {
 using Part = KnownCamera::Part;
 
 bool isServed(CameraDriver driver, bool with_libfreenect) {
-  return driver == CameraDriver::openni2 || (driver == CameraDriver::libfreenect && with_libfreenect);
+  return driver == CameraDriver::openni2 || driver == CameraDriver::v4l2 ||
+         (driver == CameraDriver::libfreenect && with_libfreenect);
 }
 
 Error withoutDriver(const KnownCamera& camera) {
@@ -29,30 +30,9 @@ Error withoutDriver(const KnownCamera& camera) {
   return {"Debian 12 has no driver for it.", std::string(camera.advice)};
 }
 
-/// Commands that add a udev rule for the local user and the group plugdev.
-std::string ruleFor(const UsbDevice& device) {
-  const std::string id = device.id();
-  const std::string vendor = id.substr(0, 4);
-  const std::string product = id.substr(5);
-  return "echo 'SUBSYSTEM==\"usb\", ATTR{idVendor}==\"" + vendor + "\", ATTR{idProduct}==\"" + product +
-         "\", MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"' | sudo tee /etc/udev/rules.d/60-camera-" +
-         vendor + "-" + product + ".rules && sudo udevadm control --reload && sudo udevadm trigger";
-}
-
-/// The group with read and write access to a node that root owns; empty if only root's own.
-std::string groupOf(const std::filesystem::path& node) {
-  struct stat status {};
-  constexpr mode_t kBoth = S_IRGRP | S_IWGRP;
-  if (stat(node.c_str(), &status) != 0 || (status.st_mode & kBoth) != kBoth || status.st_gid == 0) {
-    return {};
-  }
-  const group* const entry = getgrgid(status.st_gid);
-  return entry == nullptr ? "" : entry->gr_name;
-}
-
-/// Checks that the user may read and write `node`, displayed as `name`.
+/// Checks that the user may read and write `node` of `subsystem`, displayed as `name`.
 std::optional<Error> lacksPermission(const UsbDevice& device, const std::filesystem::path& node,
-                                     const std::string& name) {
+                                     const std::string& name, std::string_view subsystem) {
   if (node.empty()) {
     return Error{"The kernel does not say where it is (/sys/bus/usb/devices/" + device.port + ").",
                  "Plug it in again."};
@@ -65,10 +45,21 @@ std::optional<Error> lacksPermission(const UsbDevice& device, const std::filesys
                  "In a container: give it the devices, for example `docker run --device /dev/bus/usb`."};
   }
   const std::string what = "Your user may not open " + name + ": " + std::strerror(errno) + ".";
-  if (const std::string group = groupOf(node); !group.empty()) {
+  if (const std::string group = groupWithAccess(node); !group.empty()) {
     return Error{what, "Its group may: `sudo adduser \"$USER\" " + group + "`, then log in again."};
   }
-  return Error{what, "Allow it, then plug it in again: `" + ruleFor(device) + "`"};
+  return Error{what, "Allow it, then plug it in again: `" + udevRuleFor(device, subsystem) + "`"};
+}
+
+/// The same for the nodes through which the kernel drives the camera.
+std::optional<Error> lacksVideoPermission(const UsbDevice& device, const std::filesystem::path& root) {
+  const auto nodes = videoNodesOf(device, root);
+  if (nodes.empty())
+    return Error{"The kernel has no video node for it.", "Load its driver: `sudo modprobe uvcvideo`."};
+  for (const VideoNode& node : nodes) {
+    if (auto lacking = lacksPermission(device, node.path, node.name, "video4linux")) return lacking;
+  }
+  return std::nullopt;
 }
 
 std::string formatted(double speed_mbps) {
@@ -110,7 +101,10 @@ CameraDiagnosis examine(const UsbDevice& device, const KnownCamera& camera, cons
     }
   };
   diagnosis.is_served = isServed(camera.driver, with_libfreenect);
-  std::optional<Error> permission = lacksPermission(device, device.node(root), diagnosis.node.string());
+  std::optional<Error> permission =
+      camera.driver == CameraDriver::v4l2
+          ? lacksVideoPermission(device, root)
+          : lacksPermission(device, device.node(root), diagnosis.node.string(), "usb");
   diagnosis.may_be_opened = !permission;
   if (diagnosis.is_served) {
     add(diagnosis.problems, std::move(permission));
@@ -161,6 +155,8 @@ std::string driverName(CameraDriver driver) {
       return "OpenNI2";
     case CameraDriver::libfreenect:
       return "libfreenect";
+    case CameraDriver::v4l2:
+      return "V4L2";
     case CameraDriver::none:
       break;
   }

@@ -29,7 +29,7 @@ struct CameraDiagnosis {
 [[nodiscard]] std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root,
                                                           bool with_libfreenect);
 
-/// "OpenNI2", "libfreenect", "none".
+/// "OpenNI2", "libfreenect", "V4L2", "none".
 [[nodiscard]] std::string driverName(CameraDriver driver);
 
 }  // namespace scantrove

@@ -8,7 +8,7 @@ struct CameraInfo {
   std::string uri;  ///< opens it: `camera:URI`
   std::string name;
   std::string vendor;
-  std::string driver = "OpenNI2";  ///< or "libfreenect"
+  std::string driver = "OpenNI2";  ///< or "libfreenect", "V4L2", "usbmuxd"
 };
 
 }  // namespace scantrove

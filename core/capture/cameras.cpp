@@ -2,9 +2,12 @@
 
 #include <OpenNI.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "core/capture/freenect_source.h"
+#include "core/capture/live/live_cameras.h"
 #include "core/capture/openni_library.h"
 #include "core/capture/openni_source.h"
 
@@ -33,14 +36,15 @@ Result<std::vector<CameraInfo>> listOpenNiCameras() {
 
 Result<std::vector<CameraInfo>> listCameras() {
   auto cameras = listOpenNiCameras();
-  auto kinects = listFreenectCameras();
-  if (!kinects || kinects->empty()) {
+  std::vector<CameraInfo> others = listFreenectCameras().value_or(std::vector<CameraInfo>());
+  std::ranges::move(listLiveCameras(), std::back_inserter(others));
+  if (others.empty()) {
     return cameras;
   }
   if (!cameras) {
-    return kinects;
+    return others;
   }
-  cameras->insert(cameras->end(), kinects->begin(), kinects->end());
+  std::ranges::move(others, std::back_inserter(*cameras));
   return cameras;
 }
 
@@ -56,13 +60,15 @@ Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri, const So
     }
     chosen = cameras->front().uri;
   }
+  if (isLiveCameraUri(chosen)) return openLiveCamera(chosen, options);
   return isFreenectUri(chosen) ? openFreenectCamera(chosen, options) : openOpenNiCamera(chosen, options);
 }
 
 std::string cameraAdvice() {
   return "Plug the camera in, its power supply too; `scantrove devices` then says what is plugged in, which "
          "driver serves it, and the line that helps where your user may not open it (a udev rule). OpenNI2 "
-         "serves PrimeSense cameras (Asus Xtion, Carmine), libfreenect the first Kinect (USB 045e:02ae). "
+         "serves PrimeSense cameras (Asus Xtion, Carmine), libfreenect the first Kinect (USB 045e:02ae), the "
+         "kernel RealSense D400 cameras, usbmuxd an iPhone that streams with Record3D. "
          "Without a camera: `camera:Dummy` or `demo`.";
 }
 

@@ -23,8 +23,9 @@ enum class PoseOrigin {
 struct SourceInfo {
   std::string name;  ///< to display: the folder's name, the camera's name
   std::string kind;  ///< "7-Scenes", "TUM RGB-D", "BOP", "NYUv2 raw", "numbered images", "OpenNI2 camera",
-                     ///< "OpenNI2 recording", "libfreenect camera", "ROS bag", "ROS 2 bag", "MCAP",
-                     ///< "RealSense recording", "Azure Kinect recording", "synthetic", or the app: "Polycam"
+                     ///< "OpenNI2 recording", "libfreenect camera", "RealSense camera", "Record3D phone",
+                     ///< "ROS bag", "ROS 2 bag", "MCAP", "RealSense recording", "Azure Kinect recording",
+                     ///< "synthetic", or the app: "Polycam"
   Intrinsics intrinsics;
   std::optional<int> frame_count;  ///< frames that next() will return in total; empty for a live camera
   bool is_live = false;

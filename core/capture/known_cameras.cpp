@@ -26,15 +26,16 @@ constexpr std::string_view kKinectV2Advice =
     "OpenNI2's folder of drivers. Or record with it (colour and depth as numbered PNG files) and open that "
     "folder.";
 constexpr std::string_view kOrbbecAdvice =
-    "Orbbec's SDK for OpenNI2 brings a driver: put its liborbbec.so into OpenNI2's folder of drivers. Or "
-    "record "
-    "with its maker's software (an .oni file, or colour and depth as numbered PNG files) and open that.";
+    "Orbbec's SDK for OpenNI2 brings a driver: put its liborbbec.so into OpenNI2's folder of drivers "
+    "(see docs/cameras.md); `camera` then opens it. Or record with its maker's software (an .oni file, or "
+    "colour and depth as numbered PNG files) and open that.";
 constexpr std::string_view kPrimeSenseAdvice =
     "OpenNI2's drivers do not know this model. If `camera` does not open it, record with its maker's "
     "software.";
 
 // OpenNI2: the ids that Debian's drivers libPS1080 (0500 - 0609) and libPSLink (1250 - 1290) accept.
-// libfreenect: the two cameras that it accepts.
+// libfreenect: the two cameras that it accepts. v4l2: RealSense's series D400, whose format of depth (Z16)
+// the kernel knows.
 constexpr KnownCamera kTable[] = {
     {kMicrosoft, 0x02ae, "Kinect v1 (Xbox 360)", Part::camera, Driver::libfreenect, kHighSpeed},
     {kMicrosoft, 0x02bf, "Kinect v1 (for Windows)", Part::camera, Driver::libfreenect, kHighSpeed},
@@ -64,18 +65,19 @@ constexpr KnownCamera kTable[] = {
     {kIntel, 0x0a66, "RealSense F200", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
     {kIntel, 0x0a80, "RealSense R200", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
     {kIntel, 0x0aa5, "RealSense SR300", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
-    {kIntel, 0x0ad1, "RealSense D400", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0ad2, "RealSense D410", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0ad3, "RealSense D415", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0ad4, "RealSense D430", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0ad5, "RealSense D430", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0ad6, "RealSense D400", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0af6, "RealSense D420", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0b07, "RealSense D435", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0b3a, "RealSense D435i", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0b4b, "RealSense D430i", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0b5b, "RealSense D405", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
-    {kIntel, 0x0b5c, "RealSense D455", Part::camera, Driver::none, kHighSpeed, kRealsenseAdvice},
+    {kIntel, 0x0ad1, "RealSense D400", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0ad2, "RealSense D410", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0ad3, "RealSense D415", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0ad4, "RealSense D430", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0ad5, "RealSense D430", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0ad6, "RealSense D400", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0af6, "RealSense D420", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0b07, "RealSense D435", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0b3a, "RealSense D435i", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0b4b, "RealSense D430i", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0b5b, "RealSense D405", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x0b5c, "RealSense D455", Part::camera, Driver::v4l2, kHighSpeed},
+    {kIntel, 0x1155, "RealSense D421", Part::camera, Driver::v4l2, kHighSpeed},
     {kIntel, 0x0b64, "RealSense L515", Part::camera, Driver::none, kSuperSpeed, kRealsenseAdvice},
 };
 

@@ -5,10 +5,11 @@
 
 namespace scantrove {
 
-/// The driver that opens a camera on Debian 12.
+/// The driver through which Scantrove opens a camera on Debian 12.
 enum class CameraDriver {
   openni2,      ///< Debian's libopenni2-0
   libfreenect,  ///< Debian's libfreenect0.5
+  v4l2,         ///< the kernel's uvcvideo
   none,         ///< no driver in Debian 12
 };
 

@@ -8,6 +8,7 @@
 #include "core/capture/folder_formats.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/freenect_source.h"
+#include "core/capture/live/live_cameras.h"
 #include "core/capture/openni_source.h"
 #include "core/capture/phones/phone_folders.h"
 #include "core/capture/phones/record3d.h"
@@ -73,8 +74,7 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
   if (status.type() == std::filesystem::file_type::not_found) {
     return fail("There is no " + path.string() + ".",
                 "Give a recording's folder or file (.oni, .bag, .db3, .mcap, .mkv, .r3d, .sens), `camera`, "
-                "`camera:URI`, `freenect`, `demo` or "
-                "`demo:room`.");
+                "`camera:URI`, `freenect`, `realsense`, `record3d`, `demo` or `demo:room`.");
   }
   if (error) {
     return fail("Cannot open " + path.string() + ": " + error.message() + ".",
@@ -89,7 +89,8 @@ OpenedInput openPath(const std::filesystem::path& path, const SourceOptions& opt
 }  // namespace
 
 bool isCameraName(const std::string& source) {
-  return source == "camera" || source.starts_with("camera:") || isFreenectUri(source);
+  return source == "camera" || source.starts_with("camera:") || isFreenectUri(source) ||
+         isLiveCameraUri(source);
 }
 
 Result<bool> isRecordingFolder(const std::filesystem::path& folder) {

@@ -9,7 +9,7 @@
 namespace scantrove {
 
 /// Whether `source` names a camera: `camera`, `camera:URI`, `freenect`, `freenect:INDEX`, `freenect:SERIAL`
-/// (a Kinect v1).
+/// (a Kinect v1), `realsense`, `realsense:SERIAL`, `realsense:/dev/videoN`, `record3d`, `record3d:UDID`.
 [[nodiscard]] bool isCameraName(const std::string& source);
 
 /// Whether `folder` is a recording (see folder_formats.h). Error: it cannot be listed.

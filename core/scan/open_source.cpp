@@ -53,7 +53,7 @@ Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const
   if (source.empty()) {
     return fail("No source given.",
                 "Give a recording's folder or file (.oni, .bag, .db3, .mcap, .mkv, .r3d, .sens), `camera`, "
-                "`camera:URI`, `freenect` or `demo`.");
+                "`camera:URI`, `freenect`, `realsense`, `record3d` or `demo`.");
   }
   SCANTROVE_TRY(checkSourceOptions(options));
   return open(source, options).map([&](std::unique_ptr<FrameSource> opened) -> std::unique_ptr<FrameSource> {

@@ -8,7 +8,8 @@
 namespace scantrove {
 
 /// Opens the source named `source`, detecting its type: `demo` (tabletop), `demo:room`, `demo:room:SEED`,
-/// `camera`, `camera:URI`, `freenect`, `freenect:INDEX`, `freenect:SERIAL` (a Kinect v1), a recorded file
+/// `camera`, `camera:URI`, `freenect`, `freenect:INDEX`, `freenect:SERIAL` (a Kinect v1), `realsense`,
+/// `realsense:SERIAL`, `realsense:/dev/videoN`, `record3d`, `record3d:UDID` (an iPhone), a recorded file
 /// (.oni, .r3d, .sens, a ROS bag, a rosbag2 database, MCAP, an Azure Kinect's .mkv), a recording's folder
 /// (see folder_formats.h). Recorded sources decode ahead on their own thread. Error: names the path, the
 /// formats that were tried, and what to do.

@@ -62,6 +62,8 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libswscale libavutil)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
+# iPhones on USB; it brings what it needs of libplist.
+pkg_check_modules(USBMUXD REQUIRED IMPORTED_TARGET libusbmuxd-2.0)
 # Containers of recordings: chunks of ROS bags and MCAP files, databases of rosbag2.
 find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
 find_library(ZSTD_LIBRARY zstd REQUIRED)

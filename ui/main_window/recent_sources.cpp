@@ -3,6 +3,8 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include "core/capture/open_input.h"
+
 namespace scantrove {
 namespace {
 const QString kKey = QStringLiteral("recent_sources");
@@ -10,9 +12,7 @@ constexpr int kMax = 8;
 
 bool sourceExists(const QString& source) {
   return source == QLatin1String("demo") || source.startsWith(QLatin1String("demo:")) ||
-         source == QLatin1String("camera") || source.startsWith(QLatin1String("camera:")) ||
-         source == QLatin1String("freenect") || source.startsWith(QLatin1String("freenect:")) ||
-         QFileInfo::exists(source);
+         isCameraName(source.toStdString()) || QFileInfo::exists(source);
 }
 }  // namespace
 

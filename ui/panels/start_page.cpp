@@ -73,6 +73,11 @@ QString sourceTitle(const QString& source) {
   if (source.startsWith(QLatin1String("camera:"))) return StartPage::tr("Camera %1").arg(source.mid(7));
   if (source == QLatin1String("freenect")) return StartPage::tr("Kinect");
   if (source.startsWith(QLatin1String("freenect:"))) return StartPage::tr("Kinect %1").arg(source.mid(9));
+  if (source == QLatin1String("realsense")) return StartPage::tr("RealSense");
+  if (source.startsWith(QLatin1String("realsense:")))
+    return StartPage::tr("RealSense %1").arg(source.mid(10));
+  if (source == QLatin1String("record3d")) return StartPage::tr("iPhone with Record3D");
+  if (source.startsWith(QLatin1String("record3d:"))) return StartPage::tr("iPhone %1").arg(source.mid(9));
   const QString name = QFileInfo(source).fileName();
   return name.isEmpty() ? source : name;
 }
