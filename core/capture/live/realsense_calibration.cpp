@@ -38,7 +38,7 @@ constexpr std::array<std::array<int, 2>, 10> kRectifiedSizes{{{1920, 1080},
 
 constexpr std::uint16_t kD405 = 0x0b5b;
 constexpr double kFarthestColor_m = 0.2;  // within one housing
-constexpr double kRotationTolerance = 1e-2;
+constexpr double kPlaceTolerance = 1e-2;
 
 Result<void> checkTable(std::span<const std::uint8_t> table, std::size_t least_bytes) {
   if (table.size() < least_bytes)
@@ -175,8 +175,7 @@ Result<RealsenseColor> realsenseColorCamera(std::span<const std::uint8_t> table,
   const Eigen::Vector3d translation_m =
       -1e-3 * Eigen::Map<const Eigen::Vector3f>(place.data() + 9).cast<double>();
   const double skew = (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm();
-  if (!(skew < kRotationTolerance) || !(translation_m.norm() < kFarthestColor_m) ||
-      rotation.determinant() < 0)
+  if (!(skew < kPlaceTolerance) || !(translation_m.norm() < kFarthestColor_m) || rotation.determinant() < 0)
     return fail("The colour camera's place beside the depth camera is impossible.");
   Eigen::Isometry3d T_depth_color = Eigen::Isometry3d::Identity();
   T_depth_color.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();

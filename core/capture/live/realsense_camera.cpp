@@ -26,7 +26,7 @@ constexpr std::uint8_t kMonitorSelector = 1;
 constexpr int kMonitorTries = 5;
 constexpr auto kMonitorPause = 20ms;
 
-bool offers(const VideoNodeFile& file, std::uint32_t format) {
+bool offersFormat(const VideoNodeFile& file, std::uint32_t format) {
   const auto formats = file.formats();
   return std::ranges::find(formats, format) != formats.end();
 }
@@ -63,11 +63,11 @@ Result<void> RealsenseCamera::openNodes(VideoSystem& system) {
       continue;
     }
     const bool may_be_depth = device_.depth_node.empty() || device_.depth_node == node.name;
-    if (depth == nullptr && may_be_depth && offers(*file, V4L2_PIX_FMT_Z16)) {
+    if (depth == nullptr && may_be_depth && offersFormat(*file, V4L2_PIX_FMT_Z16)) {
       depth_at_ = node;
       depth = std::move(file);
     } else if ((color == nullptr || node.usb_interface > color_at_.usb_interface) &&
-               offers(*file, V4L2_PIX_FMT_YUYV)) {
+               offersFormat(*file, V4L2_PIX_FMT_YUYV)) {
       // Some models offer infrared as YUYV, too; the colour camera has the last interface.
       color_at_ = node;
       color = std::move(file);
@@ -147,12 +147,12 @@ Result<void> RealsenseCamera::start() {
 }
 
 Result<DepthColorStreams::Arrival> RealsenseCamera::wait(std::chrono::milliseconds timeout) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point deadline = Clock::now() + timeout;
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
   while (true) {
     auto arrival = takeReady();
     if (!arrival || arrival->depth || arrival->color) return arrival;
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
     if (left <= 0ms) return Arrival{};
     std::array<pollfd, 2> waiting{};
     std::size_t count = 0;

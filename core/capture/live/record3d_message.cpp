@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kPeerTalkHeaderBytes = 16, kPeerTalkSizeOffset = 12;
 constexpr std::uint32_t kLidarDevice = 1;
 
-ByteView viewOf(std::string_view bytes) {
+ByteView bytesIn(std::string_view bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
 
@@ -75,7 +75,7 @@ Intrinsics colorIntrinsicsOf(const MessageHeader& header, const cv::Mat& color) 
 Result<std::optional<std::string>> Record3dMessages::next() {
   const std::string_view left = std::string_view(pending_).substr(at_);
   if (left.size() >= kPeerTalkHeaderBytes) {
-    ByteCursor size(viewOf(left.substr(kPeerTalkSizeOffset)), true);
+    ByteCursor size(bytesIn(left.substr(kPeerTalkSizeOffset)), true);
     const std::size_t bytes = size.get<std::uint32_t>();
     if (bytes > kMaxMessageBytes)
       return fail("it sends a frame of " + std::to_string(bytes) +
@@ -91,7 +91,7 @@ Result<std::optional<std::string>> Record3dMessages::next() {
 }
 
 Result<Record3dFrame> decodeRecord3dMessage(std::string_view message, const std::string& name) {
-  ByteCursor cursor(viewOf(message));
+  ByteCursor cursor(bytesIn(message));
   const MessageHeader header = MessageHeader::from(cursor);
   if (!cursor.isOk() || header.contentBytes() > cursor.left())
     return fail(name + " is truncated: it has " + std::to_string(message.size()) + " bytes.",

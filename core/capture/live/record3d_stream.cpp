@@ -20,7 +20,7 @@ constexpr auto kRecord3dTimeout = 1000ms;
 /// must not keep next() from returning.
 constexpr int kMostSkipped = 30;
 
-std::string sizeOf(const cv::Size& size) {
+std::string sizeOfImage(const cv::Size& size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
@@ -130,9 +130,9 @@ FrameRead Record3dStream::frameOf(Record3dFrame decoded, int index, double times
   const Intrinsics K = depthCamera(decoded);
   if (K.width != info_.intrinsics.width || K.height != info_.intrinsics.height ||
       decoded.color.size() != color_size_)
-    return gone(
-        {"its images are " + sizeOf(decoded.color.size()) + " and " + sizeOf(decoded.depth_m.size()) + " now",
-         ""});
+    return gone({"its images are " + sizeOfImage(decoded.color.size()) + " and " +
+                     sizeOfImage(decoded.depth_m.size()) + " now",
+                 ""});
   FrameRead read;
   if (const auto checked = checkIntrinsics(K, "frame " + std::to_string(index) + " of " + info_.name);
       !checked) {
@@ -181,8 +181,8 @@ Result<Record3dStream::Newest> Record3dStream::receiveNewest(Clock::time_point d
 FrameRead Record3dStream::resized(const Record3dFrame& frame) const {
   FrameRead read;
   read.status = FrameRead::Status::failed;
-  read.error = {info_.name + " changed the size of its images to " + sizeOf(frame.color.size()) +
-                    " (colour) and " + sizeOf(frame.depth_m.size()) + " (depth).",
+  read.error = {info_.name + " changed the size of its images to " + sizeOfImage(frame.color.size()) +
+                    " (colour) and " + sizeOfImage(frame.depth_m.size()) + " (depth).",
                 "Open it again: a scan has one size of images."};
   return read;
 }
