@@ -35,9 +35,8 @@ struct ScanOptions {
 inline constexpr const char* kSourceHelp =
     "a folder, a file (.oni, .r3d, .sens; ROS and RealSense .bag, .db3, .mcap; Azure Kinect and Femto "
     ".mkv),\n"
-    "'camera', 'camera:URI', 'freenect' (Kinect v1), 'realsense' (series D400), 'record3d' (iPhone on "
-    "USB),\n"
-    "'demo', 'demo:room',\n"
+    "'camera', 'camera:URI', 'freenect' (Kinect v1), 'realsense' (series D400),\n"
+    "'record3d' (iPhone on USB), 'demo', 'demo:room',\n"
     "'demo:wall', 'demo:corridor', or a random scene: 'demo:room:SEED' (also tabletop, sweep, moving,\n"
     "hands). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no noise),\n"
     "':phone' (a telephone's camera), ':device' (poses of a phone that tracks itself) or, tabletop and "

@@ -59,6 +59,8 @@ TEST(CommandLine, HelpOfACommandNamesItsOptions) {
     EXPECT_THAT(line.out, HasSubstr(name));
   }
   EXPECT_THAT(line.out, HasSubstr("'freenect' (Kinect v1)"));
+  EXPECT_THAT(line.out, HasSubstr("'realsense' (series D400)"));
+  EXPECT_THAT(line.out, HasSubstr("'record3d' (iPhone"));
   EXPECT_THAT(parse({"devices", "--help"}).out, HasSubstr("--root DIR"));
   EXPECT_EQ(parse({"objects", "rename", "--help"}).exit_code, kDone);
 }

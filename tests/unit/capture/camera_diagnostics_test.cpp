@@ -63,6 +63,14 @@ class Computer {
     fs::create_directories(modules);
     fs::create_symlink(modules, drivers / "module");
   }
+  void addVideoNode(const std::string& interface, int number, fs::perms node) const {
+    const std::string name = "video" + std::to_string(number);
+    fs::create_directories(devices() / interface);
+    fs::create_directories(root() / "sys/class/video4linux" / name);
+    fs::create_symlink(devices() / interface, root() / "sys/class/video4linux" / name / "device");
+    write(root() / "dev" / name, "");
+    fs::permissions(root() / "dev" / name, node);
+  }
   [[nodiscard]] fs::path devices() const { return root() / "sys/bus/usb/devices"; }
   [[nodiscard]] fs::path bus() const { return root() / "dev/bus/usb/001"; }
   [[nodiscard]] fs::path nodeOf(int number) const {
@@ -248,7 +256,7 @@ TEST(CameraDiagnostics, AdvisesAlternatives_WhenDebianHasNoDriver) {
   const Computer computer;
   computer.plug({.port = "2-1", .vendor = "045e", .product = "02d8", .number = 2, .speed = "480"});
   computer.plug({.port = "2-2", .vendor = "2bc5", .product = "0401", .number = 3});
-  computer.plug({.port = "2-3", .vendor = "8086", .product = "0b07", .number = 4});
+  computer.plug({.port = "2-3", .vendor = "8086", .product = "0b64", .number = 4});
   const auto found = examineCameras(computer.root(), true);
   ASSERT_EQ(found.size(), 3U);
   for (const CameraDiagnosis& camera : found) {
@@ -261,8 +269,40 @@ TEST(CameraDiagnostics, AdvisesAlternatives_WhenDebianHasNoDriver) {
   EXPECT_THAT(texts(found[0].problems),
               AllOf(HasSubstr("libfreenect2"), HasSubstr("needs 5000"), HasSubstr("USB 3 port")));
   EXPECT_EQ(found[1].camera.name, "Orbbec camera");
-  EXPECT_EQ(found[2].camera.name, "RealSense D435");
-  EXPECT_THAT(texts(found[2].problems), HasSubstr(".bag"));
+  EXPECT_THAT(texts(found[1].problems), AllOf(HasSubstr("PNG"), HasSubstr("OpenNI2's folder of drivers")));
+  EXPECT_EQ(found[2].camera.name, "RealSense L515");
+  EXPECT_THAT(texts(found[2].problems), HasSubstr("RealSense Viewer"));
+}
+
+const Computer::Plugged kD435{.port = "2-3", .vendor = "8086", .product = "0b07", .speed = "5000"};
+
+TEST(CameraDiagnostics, NamesV4l2_WhenTheCameraIsARealSense) {
+  const Computer computer;
+  computer.plug(kD435, fs::perms(0600));  // the kernel drives it: the USB device itself need not be open
+  computer.addVideoNode("2-3:1.0", 2, fs::perms(0666));
+  const auto found = examineCameras(computer.root(), true);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].isWell()) << texts(found[0].problems);
+  EXPECT_TRUE(found[0].is_served);
+  EXPECT_EQ(driverName(found[0].camera.driver), "V4L2");
+  EXPECT_THAT(problemsFor(computer), "may: ");
+}
+
+TEST(CameraDiagnostics, GivesTheRuleOfVideoNodes_WhenPermissionIsMissing) {
+  const Computer computer;
+  computer.plug(kD435);
+  computer.addVideoNode("2-3:1.0", 2, fs::perms(0666));
+  computer.addVideoNode("2-3:1.3", 6, fs::perms(0600));
+  EXPECT_THAT(problemsFor(computer),
+              AllOf(HasSubstr("may not: "), HasSubstr("may not open /dev/video6: Permission denied"),
+                    HasSubstr("SUBSYSTEM==\"video4linux\", ATTRS{idVendor}==\"8086\", "
+                              "ATTRS{idProduct}==\"0b07\", MODE=\"0660\", GROUP=\"video\"")));
+}
+
+TEST(CameraDiagnostics, NamesTheKernelModule_WhenARealSenseHasNoNodes) {
+  const Computer computer;
+  computer.plug(kD435);
+  EXPECT_THAT(problemsFor(computer), AllOf(HasSubstr("may not: "), HasSubstr("modprobe uvcvideo")));
 }
 
 TEST(CameraDiagnostics, ListsOnlyTheCamera_WhenAKinectHasSeveralDevices) {
