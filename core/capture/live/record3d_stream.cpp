@@ -130,9 +130,7 @@ FrameRead Record3dStream::frameOf(Record3dFrame decoded, int index, double times
   const Intrinsics K = depthCamera(decoded);
   if (K.width != info_.intrinsics.width || K.height != info_.intrinsics.height ||
       decoded.color.size() != color_size_)
-    return gone({"its images are " + sizeOfImage(decoded.color.size()) + " and " +
-                     sizeOfImage(decoded.depth_m.size()) + " now",
-                 ""});
+    return resized(decoded);
   FrameRead read;
   if (const auto checked = checkIntrinsics(K, "frame " + std::to_string(index) + " of " + info_.name);
       !checked) {

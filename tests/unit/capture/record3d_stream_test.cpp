@@ -132,7 +132,7 @@ TEST(Record3dStream, ReturnsTheNewestFrame_WhenSeveralWait) {
   PhoneOnUsb phone;
   const auto source = openAfterOneFrame(phone);
   ASSERT_TRUE(source) << source.error().message();
-  phone.send(burst);  // less than a kilobyte: the bytes arrive together
+  phone.send(burst);  // one write: the bytes arrive together
   const FrameRead read = (*source)->next();
   ASSERT_EQ(read.status, Status::frame) << read.error.message();
   EXPECT_EQ(read.dropped, 4);
