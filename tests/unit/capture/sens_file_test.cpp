@@ -21,7 +21,7 @@ std::string encoded(const std::string& extension, const cv::Mat& image) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::string depthBytes(int value) {
+std::string sensDepthBytes(int value) {
   const cv::Mat depth = tinyDepth(value);
   return {reinterpret_cast<const char*>(depth.data), depth.total() * depth.elemSize()};
 }
@@ -33,7 +33,7 @@ SensFileBytes threeFrames() {
     frame.pose[3] = 0.25F * static_cast<float>(i);
     frame.time = static_cast<std::uint64_t>(1'000'000 + 33'333 * i);  // microseconds
     frame.color = encoded(".jpg", tinyColor(100 + i, {128, 96}));
-    frame.depth = zlibStored(depthBytes(1500 + i));
+    frame.depth = zlibStored(sensDepthBytes(1500 + i));
     sens.frames.push_back(frame);
   }
   sens.frames[1].pose.fill(-std::numeric_limits<float>::infinity());
@@ -82,7 +82,7 @@ TEST(SensFile, TakesEqualCamerasAsRegistered_AndRawImages) {
     std::string rgb;
     for (int i = 0; i < 64 * 48; ++i) rgb += "\x01\x02\x03";
     frame.color = rgb;
-    frame.depth = depthBytes(2000);
+    frame.depth = sensDepthBytes(2000);
     frame.time = 0;
   }
   const auto source = openSource(folder.write("raw.sens", sens.bytes()).string(), {});
