@@ -73,7 +73,7 @@ bool CatalogueModel::mayMerge(ObjectId a, ObjectId b) const {
   return !(isSettled(*first) && isSettled(*second));
 }
 
-void CatalogueModel::apply(Kind kind, ObjectState after) {
+void CatalogueModel::apply(Kind kind, const ObjectState& after) {
   ObjectState& object = objects_.at(after.id);
   changes_.push_back({kind, std::exchange(object, after), after, 0, {}});
 }

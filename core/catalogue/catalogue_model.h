@@ -87,7 +87,7 @@ class CatalogueModel {
   [[nodiscard]] std::vector<CatalogueChange> takeChanges() { return std::exchange(changes_, {}); }
 
  private:
-  void apply(CatalogueChange::Kind kind, ObjectState after);
+  void apply(CatalogueChange::Kind kind, const ObjectState& after);
   void applyConfirmed(ObjectId id, bool confirmed);
   void applyName(ObjectId id, const std::string& name, NamedBy by);
   void applyHidden(ObjectId id);

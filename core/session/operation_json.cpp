@@ -1,6 +1,8 @@
 #include "core/session/operation_json.h"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -22,10 +24,19 @@ Json placesOf(const std::vector<Eigen::Vector3f>& places) {
   return list;
 }
 
+/// Rejects numbers that no float holds: JSON has no infinity, but 1e99.
+float coordinateFrom(const Json& number) {
+  const auto value = number.get<double>();
+  if (!(std::abs(value) <= std::numeric_limits<float>::max()))
+    throw Json::other_error::create(501, "no coordinate", nullptr);
+  return static_cast<float>(value);
+}
+
 std::vector<Eigen::Vector3f> placesFrom(const Json& list) {
   std::vector<Eigen::Vector3f> places;
   for (const Json& place : list)
-    places.emplace_back(place.at(0).get<float>(), place.at(1).get<float>(), place.at(2).get<float>());
+    places.emplace_back(coordinateFrom(place.at(0)), coordinateFrom(place.at(1)),
+                        coordinateFrom(place.at(2)));
   return places;
 }
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/regular_file.h"
-#include "core/base/stamped_pose.h"
 #include "core/capture/depth_file.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/folder_pairs.h"
@@ -136,6 +135,10 @@ std::optional<ImageSequenceEntry> transformsEntry(const std::filesystem::path& f
   return entry;
 }
 
+/// Between images without times, which were chosen for how much the camera moved. Taken as a video's, their
+/// motion would be that of a device that jumps.
+constexpr double kImageInterval_s = 0.5;
+
 /// Orders frames by the numbers in their names, where these differ, and gives frames without times some.
 void numberFrames(std::vector<ImageSequenceEntry>& entries) {
   std::set<int> numbers;
@@ -150,7 +153,7 @@ void numberFrames(std::vector<ImageSequenceEntry>& entries) {
   const bool have_times =
       std::ranges::all_of(entries, [](const ImageSequenceEntry& entry) { return entry.timestamp_s >= 0; });
   for (ImageSequenceEntry& entry : entries) {
-    if (!have_times) entry.timestamp_s = entry.index / kFrameRateHz;
+    if (!have_times) entry.timestamp_s = entry.index * kImageInterval_s;
   }
 }
 

@@ -185,6 +185,23 @@ TEST(PhoneStreams, ReadsTransforms_WithArraysOfMetresOrMillimetres) {
   }
 }
 
+TEST(PhoneStreams, TransformsWithoutTimesLieFartherApartThanFramesOfAVideo) {
+  const TemporaryFolder folder;
+  const std::string image =
+      R"("transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})";
+  std::string json =
+      R"({"fl_x": 1500, "fl_y": 1400, "cx": 960, "cy": 720, "w": 1920, "h": 1440, "frames": [)";
+  for (const char* const name : {"1.npy", "2.npy"}) {
+    folder.write(name, numpyBytes(cv::Mat(kLidarSize, CV_32FC1, cv::Scalar(1.5)), "<f4"));
+    json += std::string(R"({"file_path": "none.jpg", "depth_file_path": ")") + name + "\", " + image + ",";
+  }
+  json.back() = ']';
+  folder.write("transforms.json", json + "}");
+  const auto frames = framesOf(folder.path(), "transforms.json");
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_DOUBLE_EQ(frames[1].timestamp_s - frames[0].timestamp_s, 0.5);
+}
+
 TEST(PhoneStreams, IsNoPhone_WhenTransformsNameNoDepth) {
   const TemporaryFolder folder;
   folder.write("transforms.json", R"({"frames": [{"file_path": "images/0.png"}]})");
