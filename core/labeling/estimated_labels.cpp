@@ -42,7 +42,8 @@ void EstimatedLabels::forEachIn(const Eigen::Vector3i& map_brick, const VisitCel
   for (int z = inside.z(); z < inside.z() + kMapBrickSide; ++z) {
     for (int y = inside.y(); y < inside.y() + kMapBrickSide; ++y) {
       for (int x = inside.x(); x < inside.x() + kMapBrickSide; ++x) {
-        const auto cell = static_cast<std::size_t>(x + kSide * (y + kSide * z));
+        const int place = x + kSide * (y + kSide * z);
+        const auto cell = static_cast<std::size_t>(place);
         const FragmentId fragment = found->second.cells[cell].fragment;
         if (fragment) visit(centerOf(position, cell), fragment);
       }
@@ -141,9 +142,9 @@ void EstimatedLabels::set(const Eigen::Vector3f& vertex_world, FragmentId fragme
   const Eigen::Vector3i at = (vertex_world / cell_m_).array().floor().cast<int>();
   const Eigen::Vector3i position(at.x() >> kShift, at.y() >> kShift, at.z() >> kShift);
   const Eigen::Vector3i inside = at - kSide * position;
-  const auto index = static_cast<std::size_t>(inside.x() + kSide * (inside.y() + kSide * inside.z()));
+  const int index = inside.x() + kSide * (inside.y() + kSide * inside.z());
   Bricks::value_type& entry = *bricks_.try_emplace(position).first;
-  Cell& cell = entry.second.cells[index];
+  Cell& cell = entry.second.cells[static_cast<std::size_t>(index)];
   if (cell.fragment == fragment) {
     const int confidence = std::min(cell.confidence + 1, kMaxConfidence);
     change(entry, cell, {fragment, static_cast<std::uint8_t>(confidence)});

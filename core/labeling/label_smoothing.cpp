@@ -45,7 +45,10 @@ struct RegionPicture {
   const std::vector<RegionId>& regions;
   int width = 0, height = 0;
 
-  [[nodiscard]] std::size_t at(int u, int v) const { return static_cast<std::size_t>(v * width + u); }
+  [[nodiscard]] std::size_t at(int u, int v) const {
+    const int place = v * width + u;
+    return static_cast<std::size_t>(place);
+  }
 
   /// The pixel's own region, or that of most neighbours if fewer than three neighbours have its own.
   [[nodiscard]] RegionId regionAround(int u, int v) const {

@@ -43,7 +43,7 @@ Result<void> ScanRefinement::runPass(ScanParts& parts, const Callbacks& callback
   report_.key_frames = pass.keyFrames();
   if (!callbacks.may_continue()) return {};
   callbacks.begins();
-  const Result<void> done = pass.run(parts.refinement.position);
+  Result<void> done = pass.run(parts.refinement.position);
   parts.refinement.position = pass.position();
   if (pass.objectness()) parts.objectness = *pass.objectness();
   report_.skipped = parts.refinement.position.pass != RefinementPosition::Pass::done;

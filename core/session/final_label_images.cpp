@@ -52,7 +52,7 @@ Result<void> FinalLabelImages::redraw(const FinalLabelRecord& own, RegionNumbers
   findUnchanged(own_frames);
   const Result<void> from_session = drawFromKeyFrames();
   const Result<void> drawn = from_session ? drawFromRecordings() : from_session;
-  const Result<void> written = writeDrawn();
+  Result<void> written = writeDrawn();
   remarkOnRest();
   pending_.clear();
   if (!record_.empty()) SCANTROVE_TRY(store(record_));
