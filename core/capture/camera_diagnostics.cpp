@@ -44,11 +44,8 @@ std::optional<Error> lacksPermission(const UsbDevice& device, const std::filesys
     return Error{"There is no " + name + ".",
                  "In a container: give it the devices, for example `docker run --device /dev/bus/usb`."};
   }
-  const std::string what = "Your user may not open " + name + ": " + std::strerror(errno) + ".";
-  if (const std::string group = groupWithAccess(node); !group.empty()) {
-    return Error{what, "Its group may: `sudo adduser \"$USER\" " + group + "`, then log in again."};
-  }
-  return Error{what, "Allow it, then plug it in again: `" + udevRuleFor(device, subsystem) + "`"};
+  return Error{"Your user may not open " + name + ": " + std::strerror(errno) + ".",
+               accessAdvice(device, node, subsystem)};
 }
 
 /// The same for the nodes through which the kernel drives the camera.

@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 
 namespace scantrove {
+namespace {
 
+/// The group with read and write access to a node; empty: only the node's owner, or the group is root's.
 std::string groupWithAccess(const std::filesystem::path& node) {
   struct stat status {};
   constexpr mode_t kBoth = S_IRGRP | S_IWGRP;
@@ -15,6 +17,7 @@ std::string groupWithAccess(const std::filesystem::path& node) {
   return entry == nullptr ? "" : entry->gr_name;
 }
 
+/// A command that gives the local user and a group access to the nodes of `device`.
 std::string udevRuleFor(const UsbDevice& device, std::string_view subsystem) {
   const std::string id = device.id();
   const std::string vendor = id.substr(0, 4);
@@ -26,6 +29,15 @@ std::string udevRuleFor(const UsbDevice& device, std::string_view subsystem) {
          "\", " + attribute + "{idProduct}==\"" + product + "\", MODE=\"0660\", GROUP=\"" +
          (is_usb ? "plugdev" : "video") + "\", TAG+=\"uaccess\"' | sudo tee /etc/udev/rules.d/60-camera-" +
          vendor + "-" + product + ".rules && sudo udevadm control --reload && sudo udevadm trigger";
+}
+
+}  // namespace
+
+std::string accessAdvice(const UsbDevice& device, const std::filesystem::path& node,
+                         std::string_view subsystem) {
+  if (const std::string group = groupWithAccess(node); !group.empty())
+    return "Its group may: `sudo adduser \"$USER\" " + group + "`, then log in again.";
+  return "Allow it, then plug it in again: `" + udevRuleFor(device, subsystem) + "`";
 }
 
 }  // namespace scantrove

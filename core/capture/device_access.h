@@ -7,11 +7,9 @@
 
 namespace scantrove {
 
-/// The group with read and write access to a node; empty: only the node's owner, or the group is root's.
-[[nodiscard]] std::string groupWithAccess(const std::filesystem::path& node);
-
-/// A command that gives the local user and a group access to the nodes of `device`. `subsystem`: "usb" or
-/// "video4linux".
-[[nodiscard]] std::string udevRuleFor(const UsbDevice& device, std::string_view subsystem);
+/// What a user does who may not open `node` of `device`: joins the node's group, or adds a udev rule.
+/// `subsystem`: "usb" or "video4linux".
+[[nodiscard]] std::string accessAdvice(const UsbDevice& device, const std::filesystem::path& node,
+                                       std::string_view subsystem);
 
 }  // namespace scantrove

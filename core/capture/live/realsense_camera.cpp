@@ -12,8 +12,6 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
-#include "core/capture/device_access.h"
-
 namespace scantrove {
 
 namespace {
@@ -38,8 +36,7 @@ std::string RealsenseCamera::Device::name() const {
 }
 
 Error RealsenseCamera::nodeError(const std::string& what, int error, const VideoNode& node) const {
-  return videoError(what + " " + node.name + " (" + device_.name() + ")", error, node.path,
-                    udevRuleFor(device_.usb, "video4linux"));
+  return videoError(what + " " + node.name + " (" + device_.name() + ")", error, node.path, device_.usb);
 }
 
 Result<std::unique_ptr<RealsenseCamera>> RealsenseCamera::open(VideoSystem& system, const Device& device) {

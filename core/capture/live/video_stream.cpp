@@ -25,17 +25,11 @@ Structure ofCapture() {
   return structure;
 }
 
-std::string accessAdvice(const std::filesystem::path& node, const std::string& rule) {
-  if (const std::string group = groupWithAccess(node); !group.empty())
-    return "Its group may: `sudo adduser \"$USER\" " + group + "`, then log in again.";
-  return "Allow it, then plug it in again: `" + rule + "`";
-}
-
-std::string videoAdvice(int error, const std::filesystem::path& node, const std::string& rule) {
+std::string videoAdvice(int error, const std::filesystem::path& node, const UsbDevice& device) {
   switch (error) {
     case EACCES:
     case EPERM:
-      return accessAdvice(node, rule);
+      return accessAdvice(device, node, "video4linux");
     case EBUSY:
       return "Another program uses it: close that one. `fuser -v " + node.string() + "` names it.";
     case ENOSPC:
@@ -52,8 +46,8 @@ std::string videoAdvice(int error, const std::filesystem::path& node, const std:
 }  // namespace
 
 Error videoError(const std::string& what, int error, const std::filesystem::path& node,
-                 const std::string& rule) {
-  return {what + ": " + std::strerror(error) + ".", videoAdvice(error, node, rule)};
+                 const UsbDevice& device) {
+  return {what + ": " + std::strerror(error) + ".", videoAdvice(error, node, device)};
 }
 
 std::unique_ptr<VideoNodeFile> VideoNodeFile::open(VideoSystem& system, const std::filesystem::path& node,

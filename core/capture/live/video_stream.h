@@ -10,13 +10,14 @@
 #include "core/base/result.h"
 #include "core/capture/depth_color_streams.h"
 #include "core/capture/live/video_system.h"
+#include "core/capture/usb_devices.h"
 
 namespace scantrove {
 
-/// Why a call for the video node `name` failed, and what helps. `error`: a positive errno. `rule`: the
-/// command that gives access where no group has it.
+/// Why a call for a video node of `device` failed, and what helps. `what`: the call and the node, without a
+/// full stop. `error`: a positive errno.
 [[nodiscard]] Error videoError(const std::string& what, int error, const std::filesystem::path& node,
-                               const std::string& rule);
+                               const UsbDevice& device);
 
 /// An open video node. One thread.
 class VideoNodeFile {
