@@ -26,6 +26,7 @@ void addRecordCommand(CLI::App& app, CommandJob& job);
 void addEvaluateCommand(CLI::App& app, CommandJob& job);
 void addDevicesCommand(CLI::App& app, CommandJob& job);
 void addParamsCommand(CLI::App& app, CommandJob& job);
+void addProjectCommand(CLI::App& app, CommandJob& job);
 void addObjectsCommand(CLI::App& app, CommandJob& job);
 void addBenchCommand(CLI::App& app, CommandJob& job);
 

@@ -23,6 +23,7 @@ void addCommands(CLI::App& app, CommandJob& job) {
   addExportCommand(app, job);
   addRecordCommand(app, job);
   addEvaluateCommand(app, job);
+  addProjectCommand(app, job);
   addObjectsCommand(app, job);
   addBenchCommand(app, job);
   addDevicesCommand(app, job);

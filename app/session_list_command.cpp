@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "app/core_application.h"
-#include "app/json_output.h"
-#include "core/session/session_list.h"
 
 namespace scantrove {
 namespace {
@@ -32,6 +30,7 @@ Json toJson(const SessionSummary& session) {
           {"objects", session.objects},
           {"megabytes", session.megabytes},
           {"ended", session.ended},
+          {"read_to_end", session.read_to_end},
           {"in_use", session.in_use},
           {"recovered", session.isRecovered()},
           {"picture", session.picture.string()},
@@ -63,17 +62,25 @@ Result<void> listAll(const SessionListCommand& command) {
   }
   const std::vector<SessionSummary> sessions = listSessions(folder);
   if (command.json) {
-    Json json = Json::array();
-    for (const SessionSummary& session : sessions) json.push_back(toJson(session));
-    printJson(json);
+    printJson(toJson(sessions));
     return {};
   }
-  for (const SessionSummary& session : sessions) printSession(session);
+  printSessions(sessions);
   if (sessions.empty()) std::cerr << "There are no sessions in " << inLine(folder.string()) << ".\n";
   return {};
 }
 
 }  // namespace
+
+Json toJson(const std::vector<SessionSummary>& sessions) {
+  Json json = Json::array();
+  for (const SessionSummary& session : sessions) json.push_back(toJson(session));
+  return json;
+}
+
+void printSessions(const std::vector<SessionSummary>& sessions) {
+  for (const SessionSummary& session : sessions) printSession(session);
+}
 
 void addSessionList(CLI::App& parent, CommandJob& job) {
   auto command = std::make_shared<SessionListCommand>();

@@ -90,4 +90,10 @@ Result<std::string> checkedCategoryName(std::string_view category) {
   return encodeUtf8(*line);
 }
 
+Result<std::string> checkedProjectName(std::string_view name) {
+  const Result<std::u32string> line = trimmedLine(name, "name of the project");
+  if (!line) return fail(line.error());
+  return encodeUtf8(*line);
+}
+
 }  // namespace scantrove

@@ -16,4 +16,7 @@ inline constexpr int kLongestLabelName = 200;  ///< characters
 /// Validates categories likewise; these may be empty or a number.
 [[nodiscard]] Result<std::string> checkedCategoryName(std::string_view category);
 
+/// Validates names of projects likewise; these may be empty or a number.
+[[nodiscard]] Result<std::string> checkedProjectName(std::string_view name);
+
 }  // namespace scantrove

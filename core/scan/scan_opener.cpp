@@ -289,6 +289,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
     for (const RegionId region : parts_.refinement.known) table.setKnown(region, true);
   } else {
     recorder.setMetadata("ended", "");  // not ended this time
+    recorder.setMetadata(kReadToEndKey, "");
     recorder.setMetadata(kPosesKey, std::string(toString(request.poses)));
     for (const auto& [name, value] : refinementMetadata(false)) recorder.setMetadata(name, value);
     continueNumbers(earlier_->frames);

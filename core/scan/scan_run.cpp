@@ -49,6 +49,7 @@ Result<ScanRun::Step> ScanRun::step() {
   tally_->addDropped(read.dropped);
   switch (read.status) {
     case FrameRead::Status::end:
+      if (parts_.recorder) parts_.recorder->setMetadata(kReadToEndKey, "yes");
       return Step::end;
     case FrameRead::Status::failed:
       return fail(read.error);

@@ -20,6 +20,7 @@
 #include "core/labeling/region_partition.h"
 #include "core/session/inside_folder.h"
 #include "core/session/session_schema.h"
+#include "core/session/session_setup.h"
 #include "core/session/session_store.h"
 
 namespace scantrove {
@@ -69,7 +70,6 @@ std::string nameInLocks(const fs::path& file) {
 }
 
 /// Whether any process has locked the file. Reads the kernel's list, because a trial lock would block
-/// others.
 /// others.
 bool isLocked(const fs::path& file) {
   const std::string requested = nameInLocks(file);
@@ -162,6 +162,11 @@ Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
   SCANTROVE_TRY(
       readCount(database, "SELECT count(*) FROM facts WHERE name = 'ended' AND value <> ''", ended));
   summary.ended = ended > 0;
+  std::string read_to_end;
+  SCANTROVE_TRY(readText(
+      database, QString("SELECT value FROM facts WHERE name = '%1'").arg(QLatin1String(kReadToEndKey)),
+      read_to_end));
+  summary.read_to_end = !read_to_end.empty();
   SCANTROVE_TRY(readCount(database, "SELECT count(*) FROM frames", summary.frames));
   SCANTROVE_TRY(readCount(database, "SELECT count(*) FROM frames WHERE state IN ('tracking', 'relocalised')",
                           summary.tracked));

@@ -21,6 +21,7 @@ struct SessionSummary {
   int objects = 0;                 ///< objects of the catalogue among its regions
   std::vector<std::string> names;  ///< of regions, sorted, without duplicates
   bool ended = false;              ///< the scan reached its end
+  bool read_to_end = false;        ///< its source was read to the end; false in scans of older versions
   bool in_use = false;             ///< a program has it open; false if the system cannot tell
   double megabytes = 0;            ///< all files in its folder
   std::string damage;              ///< why it cannot be read, a sentence; empty: no damage

@@ -13,12 +13,24 @@ namespace scantrove {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Whether `file` lies beside the folder of scans that holds `folder`, also through all links.
+bool isOfSameProject(const fs::path& file, const fs::path& folder) {
+  std::error_code failure;
+  const fs::path scans = fs::weakly_canonical(folder, failure).parent_path();
+  return !failure && scans.filename() == "scans" &&
+         fs::weakly_canonical(file, failure).parent_path() == scans.parent_path() && !failure;
+}
+
+}  // namespace
+
 std::string storedDatabaseName(const std::string& database, const fs::path& folder) {
   if (database.empty() || database.find("://") != std::string::npos) return database;
   const fs::path file = fs::absolute(database).lexically_normal();
   const fs::path from_folder = file.lexically_relative(fs::absolute(folder).lexically_normal());
   const bool is_in_folder = !from_folder.empty() && *from_folder.begin() != "..";
-  return (is_in_folder ? from_folder : file).string();
+  return (is_in_folder || isOfSameProject(file, folder) ? from_folder : file).string();
 }
 
 fs::path databaseFileOf(const SessionSetup& setup, const fs::path& folder) {

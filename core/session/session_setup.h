@@ -20,8 +20,8 @@ struct SessionSetup {
   std::string poses = {};  ///< "auto", "tracked" or "given"; empty: of an older version
 };
 
-/// The stored name of the catalogue for a session in `folder`: relative to the folder if inside it, else
-/// absolute.
+/// The stored name of the catalogue for a session in `folder`: relative to the folder if inside it, or if
+/// both are of one project (PROJECT/scans/NAME and PROJECT/FILE), which may be moved; else absolute.
 [[nodiscard]] std::string storedDatabaseName(const std::string& database,
                                              const std::filesystem::path& folder);
 /// The catalogue's file from the name stored in the session in `folder`.
@@ -33,6 +33,8 @@ inline constexpr const char* kOriginKey = "origin_m";
 [[nodiscard]] std::string originToText(const Eigen::Vector3d& origin_m);
 /// The metadata key for SessionSetup::poses.
 inline constexpr const char* kPosesKey = "poses";
+/// The metadata key that is set once a scan has read its source to the end. Empty or missing: it was stopped.
+inline constexpr const char* kReadToEndKey = "read to end";
 /// The metadata key that tells whether the files beside the session (cloud, label map and images) show its
 /// current regions. Missing: no such files, or unknown. It is set before the first file is written.
 inline constexpr const char *kResultsKey = "results", *kResultsBegun = "begun", *kResultsCurrent = "current",

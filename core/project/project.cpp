@@ -1,0 +1,144 @@
+#include "core/project/project.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
+
+#include "core/base/label_name.h"
+#include "core/base/regular_file.h"
+#include "core/exchange/atomic_file.h"
+#include "core/session/session_list.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kProjectFile = "project.json";
+/// The key that marks the file; its value is the version of the format.
+constexpr const char* kVersionKey = "scantrove_project";
+constexpr int kVersion = 1;
+constexpr std::size_t kLargestFile_bytes = 1 << 20;
+constexpr const char* kDefaultName = "Default project";
+/// File systems allow 255 bytes; " (2)" and names of temporary files need some.
+constexpr std::size_t kLongestScanName_bytes = 200;
+
+fs::path absoluteFolder(const fs::path& folder) {
+  fs::path path = fs::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+bool isDefaultFolder(const fs::path& folder) {
+  return absoluteFolder(folder) == absoluteFolder(defaultScansFolder()).parent_path();
+}
+
+tl::unexpected<Error> damaged(const fs::path& file) {
+  return fail(file.string() + " is damaged: it is no project of Scantrove.",
+              "Restore it from a copy, or create a project in another folder.");
+}
+
+Result<std::string> nameFrom(const fs::path& file, const fs::path& folder) {
+  const Result<std::string> text = readFile(file, kLargestFile_bytes);
+  if (!text) return fail(text.error());
+  const Json json = Json::parse(*text, nullptr, false);
+  if (!json.is_object() || !json.contains(kVersionKey) || !json.at(kVersionKey).is_number_integer())
+    return damaged(file);
+  if (json.at(kVersionKey).get<std::int64_t>() > kVersion) {
+    return fail("The project " + folder.string() + " was written by a newer version of Scantrove.",
+                "Update Scantrove.");
+  }
+  const auto name = json.find("name");
+  if (name == json.end() || !name->is_string()) return damaged(file);
+  const Result<std::string> checked = checkedProjectName(name->get<std::string>());
+  if (!checked) return damaged(file);
+  return checked->empty() ? folder.filename().string() : *checked;
+}
+
+bool isEmptyFolder(const fs::path& folder) {
+  std::error_code failure;
+  return fs::is_directory(folder, failure) && fs::is_empty(folder, failure) && !failure;
+}
+
+/// Cuts UTF-8 text between characters.
+void shorten(std::string& text, std::size_t bytes) {
+  if (text.size() <= bytes) return;
+  const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
+  while (bytes > 0 && continues(text[bytes])) --bytes;
+  text.resize(bytes);
+}
+
+std::string usableTitle(std::string title) {
+  constexpr std::string_view kRefused = "/\\:*?\"<>|";
+  std::ranges::replace_if(
+      title,
+      [&](char letter) {
+        return static_cast<unsigned char>(letter) < ' ' || kRefused.find(letter) != std::string_view::npos;
+      },
+      '-');
+  return title.empty() ? "scan" : title;
+}
+
+}  // namespace
+
+bool isProjectFolder(const fs::path& folder) {
+  std::error_code failure;
+  return fs::is_regular_file(folder / kProjectFile, failure) || isDefaultFolder(folder);
+}
+
+Project defaultProject() { return {absoluteFolder(defaultScansFolder()).parent_path(), kDefaultName}; }
+
+Result<Project> openProject(const fs::path& folder) {
+  const fs::path path = absoluteFolder(folder);
+  std::error_code failure;
+  if (!fs::exists(path / kProjectFile, failure)) {
+    if (isDefaultFolder(path)) return defaultProject();
+    if (!fs::is_directory(path, failure)) {
+      return fail("There is no folder " + path.string() + ".",
+                  "'scantrove project create " + path.string() + "' makes a project there.");
+    }
+    return fail(path.string() + " is not a project: it has no " + kProjectFile + ".",
+                "Give a project's folder, or make one with 'scantrove project create DIR'.");
+  }
+  Result<std::string> name = nameFrom(path / kProjectFile, path);
+  if (!name) return fail(name.error());
+  return Project{path, std::move(*name)};
+}
+
+Result<Project> createProject(const fs::path& folder, const std::string& name) {
+  const Result<std::string> checked = checkedProjectName(name);
+  if (!checked) return fail(checked.error());
+  const Project project{absoluteFolder(folder),
+                        checked->empty() ? absoluteFolder(folder).filename().string() : *checked};
+  std::error_code failure;
+  if (isProjectFolder(project.folder))
+    return fail(project.folder.string() + " is a project already.", "Open it, or give another folder.");
+  if (fs::exists(project.folder, failure) && !isEmptyFolder(project.folder)) {
+    return fail(project.folder.string() + " is not an empty folder.",
+                "Give a new or an empty folder for the project.");
+  }
+  SCANTROVE_TRY(prepareOutputFolder(project.folder));
+  SCANTROVE_TRY(prepareOutputFolder(project.scansFolder()));
+  const Json json{{kVersionKey, kVersion}, {"name", project.name}};
+  SCANTROVE_TRY(writeFileAtomically(project.folder / kProjectFile,
+                                    json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
+  return project;
+}
+
+Result<Project> projectOfScan(const fs::path& folder) {
+  return openProject(absoluteFolder(folder).parent_path().parent_path());
+}
+
+fs::path newScanFolder(const Project& project, const std::string& day, const std::string& title) {
+  std::string name = usableTitle(title);
+  shorten(name, kLongestScanName_bytes - std::min(kLongestScanName_bytes - 1, day.size() + 1));
+  const std::string base = day + " " + name;
+  fs::path folder = project.scansFolder() / base;
+  std::error_code failure;
+  for (int copy = 2; fs::exists(folder, failure); ++copy)
+    folder = project.scansFolder() / (base + " (" + std::to_string(copy) + ")");
+  return folder;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace scantrove {
+
+/// A folder with one catalogue and the scans whose objects it holds:
+///     project.json       name of the project; the folder is recognised by it
+///     catalogue.sqlite   objects and classes of all its scans
+///     scans/NAME/        one session for each scan
+/// It may be moved or copied as a whole: its scans find the catalogue of the folder that they lie in.
+struct Project {
+  std::filesystem::path folder;  ///< absolute
+  std::string name;              ///< as typed, UTF-8
+
+  [[nodiscard]] std::filesystem::path catalogueFile() const { return folder / "catalogue.sqlite"; }
+  [[nodiscard]] std::filesystem::path scansFolder() const { return folder / "scans"; }
+};
+
+/// Whether `folder` is a project: it has a project.json, or is that of defaultProject(). Any thread.
+[[nodiscard]] bool isProjectFolder(const std::filesystem::path& folder);
+
+/// The project that is used unless another is chosen: $XDG_DATA_HOME/scantrove, or below ~/.local/share. It
+/// needs no project.json and may not exist yet.
+[[nodiscard]] Project defaultProject();
+
+/// Error: missing, no project, damaged project.json, or written by a newer version.
+[[nodiscard]] Result<Project> openProject(const std::filesystem::path& folder);
+
+/// Creates the folder (unless it exists and is empty) with project.json and an empty folder of scans.
+/// `name`: empty is the folder's name. Error: the folder holds other things or is a project already; not
+/// writable; an unusable name.
+[[nodiscard]] Result<Project> createProject(const std::filesystem::path& folder, const std::string& name);
+
+/// The project in which the scan in `folder` lies. Error: as openProject.
+[[nodiscard]] Result<Project> projectOfScan(const std::filesystem::path& folder);
+
+/// A name for a new scan's folder: `day` ("2026-11-22 15.40.02"), then `title` without characters that file
+/// systems refuse, then " (2)" if that exists in the project. At most 200 bytes.
+[[nodiscard]] std::filesystem::path newScanFolder(const Project& project, const std::string& day,
+                                                  const std::string& title);
+
+}  // namespace scantrove
