@@ -43,8 +43,8 @@ struct ObjectCounts {
 Result<ObjectCounts> countObjects(const Project& project) {
   ObjectCounts counts;
   std::error_code failure;
-  if (!fs::exists(project.catalogueFile(), failure)) return counts;
-  const auto database = ObjectDatabase::openToRead(project.catalogueFile().string());
+  if (!fs::exists(project.catalogue, failure)) return counts;
+  const auto database = ObjectDatabase::openToRead(project.catalogue.string());
   if (!database) return fail(database.error());
   const auto objects = (*database)->objects();
   if (!objects) return fail(objects.error());
@@ -69,7 +69,7 @@ Result<void> show(const Project& project, const ProjectCommand& command) {
   if (command.json) {
     printJson({{"name", project.name},
                {"path", project.folder.string()},
-               {"catalogue", project.catalogueFile().string()},
+               {"catalogue", project.catalogue.string()},
                {"objects", objects->all},
                {"confirmed", objects->confirmed},
                {"scans", toJson(scans)}});
@@ -134,7 +134,7 @@ Result<void> scanInto(const Project& project, ScanRequest request, const Session
   request.output_folder = request.resume
                               ? earlier->folder
                               : newScanFolder(project, secondOfDay(), fs::path(source).filename().string());
-  request.database = project.catalogueFile().string();
+  request.database = project.catalogue.string();
   SCANTROVE_TRY(prepareOutputFolder(*request.output_folder));
   const SourceOptions options = request.source_options;
   const fs::path folder = *request.output_folder;

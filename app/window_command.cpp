@@ -34,7 +34,10 @@ bool readSize(const std::string& text, int& width, int& height) {
 void WindowCommand::addTo(CLI::App& app) {
   app.add_option("SOURCE", scan_.source, kSourceHelp)->check(CLI::Validator(checkSource, ""));
   scan_.addTo(app);
-  app.add_option("--database", database_, "catalogue (default: $XDG_DATA_HOME/scantrove/catalogue.sqlite)")
+  CLI::Option* project =
+      app.add_option("--project", project_, "project to open (default: as last time)")->type_name("DIR");
+  app.add_option("--database", database_, "instead of --project: a catalogue outside projects")
+      ->excludes(project)
       ->type_name("FILE");
   app.add_flag("--paused", paused_, "start paused; Space resumes");
   app.add_flag("--present", present_, "presentation mode: full screen, in a loop; Escape ends it");
@@ -56,6 +59,7 @@ WindowOptions WindowCommand::toOptions() const {
   options.poses = request.poses;
   options.device = request.device;
   options.params = request.params;
+  options.project = project_;
   options.database = database_;
   options.start_paused = paused_;
   options.present = present_;

@@ -18,6 +18,7 @@ class WindowCommand {
 
  private:
   ScanOptions scan_;
+  std::string project_;
   std::string database_;
   std::string screenshot_;
   std::string size_;

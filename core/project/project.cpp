@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "core/base/label_name.h"
 #include "core/base/regular_file.h"
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kProjectFile = "project.json";
+constexpr const char *kProjectFile = "project.json", *kCatalogueFile = "catalogue.sqlite";
 /// The key that marks the file; its value is the version of the format.
 constexpr const char* kVersionKey = "scantrove_project";
 constexpr int kVersion = 1;
@@ -56,6 +57,10 @@ Result<std::string> nameFrom(const fs::path& file, const fs::path& folder) {
   return checked->empty() ? folder.filename().string() : *checked;
 }
 
+Project projectIn(const fs::path& folder, std::string name) {
+  return {folder, std::move(name), folder / kCatalogueFile};
+}
+
 bool isEmptyFolder(const fs::path& folder) {
   std::error_code failure;
   return fs::is_directory(folder, failure) && fs::is_empty(folder, failure) && !failure;
@@ -87,7 +92,9 @@ bool isProjectFolder(const fs::path& folder) {
   return fs::is_regular_file(folder / kProjectFile, failure) || isDefaultFolder(folder);
 }
 
-Project defaultProject() { return {absoluteFolder(defaultScansFolder()).parent_path(), kDefaultName}; }
+Project defaultProject() {
+  return projectIn(absoluteFolder(defaultScansFolder()).parent_path(), kDefaultName);
+}
 
 Result<Project> openProject(const fs::path& folder) {
   const fs::path path = absoluteFolder(folder);
@@ -103,14 +110,14 @@ Result<Project> openProject(const fs::path& folder) {
   }
   Result<std::string> name = nameFrom(path / kProjectFile, path);
   if (!name) return fail(name.error());
-  return Project{path, std::move(*name)};
+  return projectIn(path, std::move(*name));
 }
 
 Result<Project> createProject(const fs::path& folder, const std::string& name) {
   const Result<std::string> checked = checkedProjectName(name);
   if (!checked) return fail(checked.error());
-  const Project project{absoluteFolder(folder),
-                        checked->empty() ? absoluteFolder(folder).filename().string() : *checked};
+  const fs::path path = absoluteFolder(folder);
+  const Project project = projectIn(path, checked->empty() ? path.filename().string() : *checked);
   std::error_code failure;
   if (isProjectFolder(project.folder))
     return fail(project.folder.string() + " is a project already.", "Open it, or give another folder.");
@@ -128,6 +135,13 @@ Result<Project> createProject(const fs::path& folder, const std::string& name) {
 
 Result<Project> projectOfScan(const fs::path& folder) {
   return openProject(absoluteFolder(folder).parent_path().parent_path());
+}
+
+Project projectOfCatalogue(const fs::path& catalogue) {
+  const fs::path file = fs::absolute(catalogue).lexically_normal();
+  if (const Result<Project> project = openProject(file.parent_path()); project && project->catalogue == file)
+    return *project;
+  return {defaultProject().folder, file.filename().string(), file};
 }
 
 fs::path newScanFolder(const Project& project, const std::string& day, const std::string& title) {

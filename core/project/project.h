@@ -13,10 +13,10 @@ namespace scantrove {
 ///     scans/NAME/        one session for each scan
 /// It may be moved or copied as a whole: its scans find the catalogue of the folder that they lie in.
 struct Project {
-  std::filesystem::path folder;  ///< absolute
-  std::string name;              ///< as typed, UTF-8
+  std::filesystem::path folder;     ///< absolute
+  std::string name;                 ///< as typed, UTF-8
+  std::filesystem::path catalogue;  ///< absolute; folder/catalogue.sqlite, but see projectOfCatalogue()
 
-  [[nodiscard]] std::filesystem::path catalogueFile() const { return folder / "catalogue.sqlite"; }
   [[nodiscard]] std::filesystem::path scansFolder() const { return folder / "scans"; }
 };
 
@@ -37,6 +37,10 @@ struct Project {
 
 /// The project in which the scan in `folder` lies. Error: as openProject.
 [[nodiscard]] Result<Project> projectOfScan(const std::filesystem::path& folder);
+
+/// The project of that catalogue. One that lies in no project (or is not its project's) makes a project of
+/// its own, which keeps its scans where defaultProject() does and is called like the file.
+[[nodiscard]] Project projectOfCatalogue(const std::filesystem::path& catalogue);
 
 /// A name for a new scan's folder: `day` ("2026-11-22 15.40.02"), then `title` without characters that file
 /// systems refuse, then " (2)" if that exists in the project. At most 200 bytes.

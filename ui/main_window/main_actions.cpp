@@ -18,7 +18,10 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   open_camera = make("camera", tr("&Camera…"), tr("Ctrl+K"), tr("Scan with a depth camera"));
   open_tabletop = make("table", tr("&Tabletop"), {}, tr("The built-in table with objects"));
   open_room = make("room", tr("&Room"), {}, tr("The built-in room"));
-  open_catalogue = make("database", tr("Open ca&talogue…"), {}, tr("Open or create another catalogue"));
+  open_project = make("database", tr("Open pro&ject…"), tr("Ctrl+J"),
+                      tr("Open another project: a folder with a catalogue and its scans"));
+  new_project = make("", tr("&New project…"), tr("Ctrl+N"), tr("Make a project in a new folder"));
+  open_catalogue = make("", tr("Open ca&talogue…"), {}, tr("Open or create a catalogue outside projects"));
   open_session = make("clock", tr("Open &scan…"), {}, tr("Open a saved scan to label it"));
   export_data = make("image", tr("&Export data set…"), tr("Ctrl+E"),
                      tr("Export the labelled scan (COCO, BOP, meshes, …)"));
@@ -91,7 +94,7 @@ void MainActions::enableFor(ScanState state, bool has_source) {
   stop->setEnabled(state == ScanState::starting || state == ScanState::scanning || paused);
   skip_refinement->setEnabled(state == ScanState::refining);
   if (busy) enableRefinement(false);
-  open_catalogue->setEnabled(!busy);
+  for (QAction* action : {open_project, new_project, open_catalogue}) action->setEnabled(!busy);
 }
 
 }  // namespace scantrove

@@ -22,6 +22,8 @@ class MainActions : public QObject {
   QAction* open_camera;
   QAction* open_tabletop;
   QAction* open_room;
+  QAction* open_project;
+  QAction* new_project;
   QAction* open_catalogue;
   QAction* open_session;
   QAction* export_data;

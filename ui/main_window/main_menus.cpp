@@ -1,6 +1,7 @@
 #include "ui/main_window/main_menus.h"
 
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QSettings>
 #include <QToolBar>
@@ -11,6 +12,7 @@
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/presentation.h"
+#include "ui/main_window/project_choice.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
@@ -46,9 +48,13 @@ void MainMenus::makeMenus() {
   recent_->setObjectName(QStringLiteral("recentMenu"));
   // Filled when it opens, so that it does not change while open.
   connect(file, &QMenu::aboutToShow, this, &MainMenus::fillRecentMenu);
+  connect(file, &QMenu::aboutToShow, this, &MainMenus::fillRecentProjects);
   file->addSeparator();
   file->addAction(actions.export_data);
   file->addSeparator();
+  file->addActions({actions.open_project, actions.new_project});
+  recent_projects_ = file->addMenu(tr("Recent &projects"));
+  recent_projects_->setObjectName(QStringLiteral("recentProjectsMenu"));
   file->addAction(actions.open_catalogue);
   file->addSeparator();
   file->addActions({actions.close_scan, actions.quit});
@@ -135,6 +141,8 @@ void MainMenus::connectActions() {
   on(actions.open_camera, [this] { window_.dialogs().openCamera(); });
   on(actions.open_tabletop, [this] { window_.open(QStringLiteral("demo")); });
   on(actions.open_room, [this] { window_.open(QStringLiteral("demo:room")); });
+  on(actions.open_project, [this] { window_.dialogs().openProject(); });
+  on(actions.new_project, [this] { window_.dialogs().newProject(); });
   on(actions.open_catalogue, [this] { window_.dialogs().chooseCatalogue(); });
   on(actions.open_session, [this] { window_.dialogs().chooseSession(); });
   on(actions.export_data, [this] { window_.dialogs().showExport(); });
@@ -166,6 +174,8 @@ void MainMenus::connectActions() {
                               : (theme == ThemeChoice::light ? actions.theme_light : actions.theme_system))
       ->setChecked(true);
 
+  connect(parts_.start, &StartPage::projectRequested, &window_.dialogs(), &WindowDialogs::openProject);
+  connect(parts_.start, &StartPage::newProjectRequested, &window_.dialogs(), &WindowDialogs::newProject);
   connect(parts_.start, &StartPage::folderRequested, &window_.dialogs(), &WindowDialogs::openFolder);
   connect(parts_.start, &StartPage::recordingRequested, &window_.dialogs(), &WindowDialogs::openRecording);
   connect(parts_.start, &StartPage::cameraRequested, &window_.dialogs(), &WindowDialogs::openCamera);
@@ -186,6 +196,19 @@ void MainMenus::fillRecentMenu() {
     clearRecentSources();
     parts_.start->setRecent({});
   });
+}
+
+void MainMenus::fillRecentProjects() {
+  recent_projects_->clear();
+  for (const QString& place : ProjectChoice::recent()) {
+    const bool is_folder = QFileInfo(place).isDir();
+    QAction* action =
+        recent_projects_->addAction(QFileInfo(place).fileName(), this, [this, place, is_folder] {
+          is_folder ? window_.openProjectFolder(place) : window_.openCatalogue(place);
+        });
+    action->setToolTip(place);
+  }
+  recent_projects_->setEnabled(!recent_projects_->isEmpty() && parts_.actions->open_project->isEnabled());
 }
 
 void MainMenus::chooseTheme(ThemeChoice choice) {

@@ -23,11 +23,13 @@ class MainMenus : public QObject {
   void makeToolBar();
   void connectActions();
   void fillRecentMenu();
+  void fillRecentProjects();
   void chooseTheme(ThemeChoice choice);
 
   MainWindow& window_;
   const WindowParts parts_;
   QMenu* recent_ = nullptr;
+  QMenu* recent_projects_ = nullptr;
 };
 
 }  // namespace scantrove

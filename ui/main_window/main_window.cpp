@@ -10,12 +10,12 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include "ui/main_window/catalogue_choice.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_menus.h"
 #include "ui/main_window/presentation.h"
+#include "ui/main_window/project_choice.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/saved_scan_list.h"
@@ -51,10 +51,9 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
     : editor_(history_),
       model_(editor_),
       controller_(new ScanController(factory, options, this)),
-      catalogue_(new CatalogueChoice(editor_, *controller_, this)),
+      project_(new ProjectChoice(editor_, *controller_, this)),
       dialogs_(new WindowDialogs(*this)) {
   parts_.actions = new MainActions(history_.stack(), this);
-  setWindowTitle(QStringLiteral("Scantrove"));
   setWindowIcon(icon(QStringLiteral("scantrove")));
   setAcceptDrops(true);
   makeCenter();
@@ -84,7 +83,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   if (options.width <= 0) fitToScreen(*this);  // folded docks need less room
   showStartPage();
   connectCatalogue();
-  catalogue_->openAtStart(QString::fromStdString(options.database));
+  project_->openAtStart(QString::fromStdString(options.project), QString::fromStdString(options.database));
 }
 
 MainWindow::~MainWindow() {
@@ -132,12 +131,13 @@ void MainWindow::makeDocks(const ScanParams& params) {
 bool MainWindow::onStartPage() const { return center_->currentWidget() == parts_.start; }
 
 void MainWindow::showStartPage() {
-  catalogue_->showChosen();
+  project_->showChosen();
   regions_->beginScan();  // clears questions, undo steps and selection of the scan
   parts_.start->setRecent(recentSources());
   showSavedScans();
   center_->setCurrentWidget(parts_.start);
   docks_->setScanShown(false);
+  showTitle({});
   parts_.progress->clear();
   parts_.time_line->clear();
 }
@@ -151,12 +151,28 @@ void MainWindow::closeScan() {
   parts_.actions->enableRefinement(false);
   parts_.actions->enableFor(controller_->bridge().state(), controller_->hasSource());
   parts_.status->showState(ScanState::idle);
-  setWindowTitle(QStringLiteral("Scantrove"));
   showStartPage();
 }
 
+void MainWindow::showTitle(const QString& scan) {
+  QStringList parts;
+  if (!scan.isEmpty()) parts << scan;
+  if (project_->project().catalogue != defaultProject().catalogue) parts << project_->name();
+  parts << QStringLiteral("Scantrove");
+  setWindowTitle(parts.join(QStringLiteral(" — ")));
+}
+
+void MainWindow::showProject() {
+  const Project& project = project_->project();
+  parts_.start->setProject(project_->name(),
+                           QString::fromStdString(project.catalogue.parent_path().string()));
+  if (!onStartPage()) return;
+  showTitle({});
+  showSavedScans();
+}
+
 void MainWindow::showSavedScans() {
-  parts_.start->savedScans()->setScans(savedScansIn(ScanController::sessionsFolder()));
+  parts_.start->savedScans()->setScans(savedScansIn(controller_->scansFolder()));
 }
 
 void MainWindow::showScene() {
@@ -168,6 +184,7 @@ void MainWindow::showScene() {
 void MainWindow::open(const QString& source) {
   if (!parts_.objects->list()->finishEditing()) return;
   parts_.messages->dismiss();
+  if (isProjectFolder(source.toStdString())) return openProjectFolder(source);
   controller_->open(source);
 }
 
@@ -177,9 +194,24 @@ void MainWindow::openSession(const QString& folder) {
   controller_->openSession(folder);
 }
 
+bool MainWindow::leavesScan() {
+  if (!parts_.objects->list()->finishEditing()) return false;
+  parts_.messages->dismiss();
+  if (!onStartPage()) closeScan();
+  return true;
+}
+
+void MainWindow::openProjectFolder(const QString& folder) {
+  if (leavesScan()) project_->open(folder);
+}
+
+void MainWindow::createProjectFolder(const QString& folder) {
+  if (leavesScan()) project_->create(folder);
+}
+
 void MainWindow::openCatalogue(const QString& file) {
   if (!parts_.objects->list()->finishEditing()) return;
-  catalogue_->choose(file, !onStartPage());
+  project_->chooseCatalogue(file, !onStartPage());
 }
 
 void MainWindow::connectRegions() {
@@ -214,10 +246,11 @@ void MainWindow::connectRegions() {
 void MainWindow::connectCatalogue() {
   ScanBridge& bridge = controller_->bridge();
   catalogue_timer_.setSingleShot(true);
+  connect(project_, &ProjectChoice::changed, this, &MainWindow::showProject);
   connect(&catalogue_timer_, &QTimer::timeout, this, &MainWindow::readCatalogueChanges);
-  connect(catalogue_, &CatalogueChoice::warned, this,
+  connect(project_, &ProjectChoice::warned, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
-  connect(catalogue_, &CatalogueChoice::failed, this,
+  connect(project_, &ProjectChoice::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::error, message); });
   const auto soon = [this] { catalogue_timer_.start(0); };
   bridge.on<ObjectAdded>(this, soon);

@@ -14,10 +14,10 @@ class QStackedWidget;
 
 namespace scantrove {
 
-class CatalogueChoice;
 class CoverageGuide;
 class DockArrangement;
 class Presentation;
+class ProjectChoice;
 class RegionController;
 class ScanController;
 class WindowDialogs;
@@ -32,7 +32,11 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void open(const QString& source);
-  /// Does nothing while a typed name cannot be stored.
+  /// Opens a project after closing the scan. Like the next two, does nothing while a typed name cannot be
+  /// stored.
+  void openProjectFolder(const QString& folder);
+  void createProjectFolder(const QString& folder);
+  /// Opens the project of a catalogue.
   void openCatalogue(const QString& file);
 
   /// Opens a saved scan.
@@ -41,6 +45,8 @@ class MainWindow : public QMainWindow {
   /// Ends or closes the scan and shows the start page.
   void closeScan();
 
+  /// The title: `scan` (empty: none), the project unless it is the default one, and the program.
+  void showTitle(const QString& scan);
   void showStartPage();
   void showScene();
   [[nodiscard]] bool onStartPage() const;
@@ -48,7 +54,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] const WindowParts& parts() const { return parts_; }
   [[nodiscard]] ScanController& controller() { return *controller_; }
   [[nodiscard]] RegionController& regions() { return *regions_; }
-  [[nodiscard]] CatalogueChoice& catalogue() { return *catalogue_; }
+  [[nodiscard]] ProjectChoice& project() { return *project_; }
   [[nodiscard]] CatalogueEditor& editor() { return editor_; }
   [[nodiscard]] ObjectListModel& model() { return model_; }
   [[nodiscard]] UndoHistory& history() { return history_; }
@@ -67,14 +73,16 @@ class MainWindow : public QMainWindow {
   void makeDocks(const ScanParams& params);
   void connectCatalogue();
   void connectRegions();
+  void showProject();
   void showSavedScans();
+  [[nodiscard]] bool leavesScan();
   void readCatalogueChanges();
 
   UndoHistory history_;  ///< of all parts of the window; declared first to outlive them
   CatalogueEditor editor_;
   ObjectListModel model_;
   ScanController* controller_;
-  CatalogueChoice* catalogue_;
+  ProjectChoice* project_;
   WindowDialogs* dialogs_;
   WindowParts parts_;
   QStackedWidget* center_ = nullptr;

@@ -11,6 +11,7 @@
 
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/project_choice.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/panels/message_bar.h"
@@ -67,8 +68,7 @@ void Presentation::begin() {
   ScanController& controller = window_.controller();
   if (window_.onStartPage()) {
     catalogue_ = std::make_unique<QTemporaryDir>();
-    catalogue_before_ = QString::fromStdString(controller.request().database);
-    controller.setDatabase(catalogue_->filePath(QStringLiteral("catalogue.sqlite")));
+    controller.setCatalogue(catalogue_->filePath(QStringLiteral("catalogue.sqlite")));
     controller.setSavesScans(false);
   }
   qApp->installEventFilter(this);
@@ -98,7 +98,7 @@ void Presentation::end() {
   if (catalogue_ != nullptr) {
     window_.closeScan();
     window_.controller().setSavesScans(true);
-    window_.controller().setDatabase(catalogue_before_);
+    window_.controller().setProject(window_.project().project());
     ended_catalogues_.push_back(std::move(catalogue_));
   }
   was_maximized_ ? window_.showMaximized() : window_.showNormal();

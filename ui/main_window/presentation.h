@@ -49,7 +49,6 @@ class Presentation : public QObject {
   std::unique_ptr<QTemporaryDir> catalogue_;
   /// Of ended presentations. A scan may still write to the last one.
   std::vector<std::unique_ptr<QTemporaryDir>> ended_catalogues_;
-  QString catalogue_before_;
   bool was_maximized_ = false;
   bool is_on_ = false;
 };

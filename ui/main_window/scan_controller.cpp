@@ -3,7 +3,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 
 #include "ui/main_window/recent_sources.h"
 #include "ui/panels/start_page.h"
@@ -11,17 +10,9 @@
 namespace scantrove {
 namespace {
 
-/// A new folder name, for example "2026-11-22 15.40.02 kitchen".
-QString newSessionFolder(const QString& source) {
-  QString title = sourceTitle(source);
-  for (QChar& letter : title) {
-    if (QStringLiteral("/\\:*?\"<>|").contains(letter)) letter = QLatin1Char('-');
-  }
-  const QString base = ScanController::sessionsFolder() + QLatin1Char('/') +
-                       QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss ")) + title;
-  QString folder = base;
-  for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QStringLiteral(" (%1)").arg(i);
-  return folder;
+/// The day and time in the name of a scan's folder, for example "2026-11-22 15.40.02".
+std::string timeOfDay() {
+  return QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss")).toStdString();
 }
 
 }  // namespace
@@ -36,9 +27,13 @@ ScanController::ScanController(const ScanPortFactory& factory, const WindowOptio
   bridge_.on<ScanFailed>(this, [this] { new_folder_.removeIfEmpty(); });
 }
 
-QString ScanController::sessionsFolder() {
-  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-         QStringLiteral("/scantrove/scans");
+QString ScanController::scansFolder() const {
+  return QString::fromStdString(project_.scansFolder().string());
+}
+
+void ScanController::setProject(const Project& project) {
+  project_ = project;
+  request_.database = project.catalogue.string();
 }
 
 QString ScanController::sessionFolder() const {
@@ -48,15 +43,16 @@ QString ScanController::sessionFolder() const {
 void ScanController::begin() {
   request_.source = source_.toStdString();
   request_.output_folder.reset();
-  const QString folder = saves_scans_ ? newSessionFolder(source_) : QString();
+  const std::string title = sourceTitle(source_).toStdString();
+  const QString folder = QString::fromStdString(newScanFolder(project_, timeOfDay(), title).string());
   if (!saves_scans_) {
     // not saved on purpose, so no warning
   } else if (new_folder_.make(folder)) {
     request_.output_folder = folder.toStdString();
   } else {
     emit failed(
-        tr("The scan is not saved, because %1 is not writable. Make it writable, or set XDG_DATA_HOME.")
-            .arg(sessionsFolder()));
+        tr("The scan is not saved, because %1 is not writable. Make it writable, or open another project.")
+            .arg(scansFolder()));
   }
   paused_ = request_.start_paused;
   emit opening(source_);

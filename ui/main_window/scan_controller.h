@@ -2,6 +2,7 @@
 #include <QObject>
 #include <QString>
 
+#include "core/project/project.h"
 #include "ui/bridge/scan_bridge.h"
 #include "ui/main_window/scan_folder.h"
 #include "ui/main_window/window_options.h"
@@ -33,8 +34,8 @@ class ScanController : public QObject {
   [[nodiscard]] QString sessionFolder() const;
   /// Whether new scans are saved as sessions; the default is true.
   void setSavesScans(bool saves) { saves_scans_ = saves; }
-  /// Folder of all sessions.
-  [[nodiscard]] static QString sessionsFolder();
+  /// Folder of the sessions of the project.
+  [[nodiscard]] QString scansFolder() const;
 
   /// Scans the current source from its beginning, or resumes.
   void start();
@@ -44,7 +45,10 @@ class ScanController : public QObject {
   /// Ends the scan and closes its review.
   void close();
   void setParams(const ScanParams& params);
-  void setDatabase(const QString& file) { request_.database = file.toStdString(); }
+  /// New scans use its catalogue and its folder of scans.
+  void setProject(const Project& project);
+  /// New scans use this catalogue; their folder stays that of the project.
+  void setCatalogue(const QString& file) { request_.database = file.toStdString(); }
 
  signals:
   void opening(const QString& source);
@@ -55,6 +59,7 @@ class ScanController : public QObject {
   void begin();
   void setPaused(bool paused);
 
+  Project project_ = defaultProject();
   ScanRequest request_;
   QString source_;
   /// The last requested state. The worker may lag behind, but a second key press must still count.

@@ -1,9 +1,9 @@
 #include "ui/main_window/scan_display.h"
 
-#include "ui/main_window/catalogue_choice.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/project_choice.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
@@ -51,9 +51,9 @@ ScanDisplay::ScanDisplay(MainWindow& window) : QObject(&window), window_(window)
 
 void ScanDisplay::begin(const QString& source) {
   parts_.params->finishTyping();
-  window_.controller().hasSource() ? window_.catalogue().showChosen()
-                                   : window_.catalogue().showCatalogueOf(source);
-  window_.setWindowTitle(tr("%1 — Scantrove").arg(sourceTitle(source)));
+  window_.controller().hasSource() ? window_.project().showChosen()
+                                   : window_.project().showCatalogueOf(source);
+  window_.showTitle(sourceTitle(source));
   parts_.progress->begin(sourceTitle(source));
   parts_.scene->view()->clearScene();
   parts_.frames->clear();

@@ -3,9 +3,10 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QStandardPaths>
 
-#include "ui/main_window/catalogue_choice.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/project_choice.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/panels/camera_dialog.h"
 #include "ui/panels/export_dialog.h"
@@ -42,13 +43,32 @@ void WindowDialogs::openCamera() {
 }
 
 void WindowDialogs::chooseCatalogue() {
-  const QString file = chooseFileToSave(&window_, tr("Catalogue to open or create"),
-                                        window_.catalogue().chosen(), tr("Catalogues (*.sqlite)"));
+  const QString file = chooseFileToSave(
+      &window_, tr("Catalogue to open or create"),
+      QString::fromStdString(window_.project().project().catalogue.string()), tr("Catalogues (*.sqlite)"));
   if (!file.isEmpty()) window_.openCatalogue(file);
 }
 
+void WindowDialogs::openProject() {
+  const QString folder = chooseFolder(&window_, tr("Folder of a project"), projectsFolder());
+  if (!folder.isEmpty()) window_.openProjectFolder(folder);
+}
+
+void WindowDialogs::newProject() {
+  const QString folder = chooseFileToSave(&window_, tr("New folder for the project"),
+                                          projectsFolder() + QLatin1Char('/') + tr("My objects"), {});
+  if (!folder.isEmpty()) window_.createProjectFolder(folder);
+}
+
+QString WindowDialogs::projectsFolder() const {
+  const Project& project = window_.project().project();
+  const bool is_default = project.folder == defaultProject().folder;
+  return is_default ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                    : QString::fromStdString(project.folder.parent_path().string());
+}
+
 void WindowDialogs::chooseSession() {
-  const QString folder = chooseFolder(&window_, tr("Saved scan"), ScanController::sessionsFolder());
+  const QString folder = chooseFolder(&window_, tr("Saved scan"), window_.controller().scansFolder());
   if (!folder.isEmpty()) window_.openSession(folder);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QString>
 
 namespace scantrove {
 
@@ -18,6 +19,8 @@ class WindowDialogs : public QObject {
   void openRecording();
   void openWithOptions();
   void openCamera();
+  void openProject();
+  void newProject();
   void chooseCatalogue();
   void chooseSession();
   void showExport();
@@ -29,6 +32,9 @@ class WindowDialogs : public QObject {
   [[nodiscard]] ExportDialog* exportDialog() const { return export_; }
 
  private:
+  /// Where the dialogs for projects begin.
+  [[nodiscard]] QString projectsFolder() const;
+
   MainWindow& window_;
   ExportDialog* export_ = nullptr;
   HelpDialog* help_ = nullptr;

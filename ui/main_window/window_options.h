@@ -13,7 +13,8 @@ struct WindowOptions {
   SourceOptions source_options;
   ScanRequest::Poses poses = ScanRequest::Poses::automatic;
   std::string device;
-  std::string database;  ///< empty: the default one in $XDG_DATA_HOME
+  std::string project;   ///< a folder; empty: as last time
+  std::string database;  ///< a catalogue instead of a project
   ScanParams params;
   bool start_paused = false;
   /// File for a picture of the window when the scan ends; the program then quits.

@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <QUndoCommand>
 #include <opencv2/core.hpp>
 
@@ -200,11 +199,6 @@ bool CatalogueEditor::merge(const std::vector<ObjectId>& objects) {
       tr("Merge %1 objects").arg(objects.size()),
       [objects, merged](ObjectDatabase& database) { return moveInto(*merged, database.merge(objects)); },
       [merged](ObjectDatabase& database) { return database.unmerge(*merged); });
-}
-
-QString defaultCatalogueFile() {
-  const QString data = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
-  return data + QStringLiteral("/scantrove/catalogue.sqlite");
 }
 
 }  // namespace scantrove

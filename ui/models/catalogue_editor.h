@@ -76,7 +76,4 @@ class CatalogueEditor : public QObject {
   UndoHistory& history_;
 };
 
-/// $XDG_DATA_HOME/scantrove/catalogue.sqlite.
-[[nodiscard]] QString defaultCatalogueFile();
-
 }  // namespace scantrove

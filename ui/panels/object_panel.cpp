@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
@@ -12,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/project/project.h"
 #include "ui/models/object_list_model.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/empty_note.h"
@@ -142,7 +142,8 @@ QWidget* ObjectPanel::makeDetails() {
 
 void ObjectPanel::updateCatalogue() {
   const QString file = editor_.file();
-  catalogue_->setFullText(editor_.isOpen() ? QFileInfo(file).fileName() : tr("No catalogue"),
+  const std::string project = editor_.isOpen() ? projectOfCatalogue(file.toStdString()).name : std::string();
+  catalogue_->setFullText(editor_.isOpen() ? QString::fromStdString(project) : tr("No catalogue"),
                           editor_.isOpen() ? tr("Catalogue: %1").arg(file.toHtmlEscaped()) : QString());
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/panels/elided_label.h"
 #include "ui/panels/saved_scans_panel.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
@@ -130,6 +131,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   cards->setColumnStretch(1, 1);
   layout->addLayout(cards);
 
+  layout->addWidget(makeProjectRow());
   saved_scans_ = new SavedScansPanel;
   layout->addWidget(saved_scans_);
   recent_box_ = new QWidget;
@@ -165,6 +167,32 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   layout_of_page->setContentsMargins(0, 0, 0, 0);
   layout_of_page->addWidget(scroll);
   setRecent({});
+}
+
+QWidget* StartPage::makeProjectRow() {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 14, 0, 0);
+  project_ = new ElidedLabel;
+  project_->setObjectName(QStringLiteral("projectName"));
+  QFont bold = project_->font();
+  bold.setWeight(QFont::DemiBold);
+  project_->setFont(bold);
+  row->addWidget(project_, 1);
+  const auto add = [&](const QString& text, auto signal) {
+    auto* button = new QToolButton;
+    button->setText(text);
+    connect(button, &QToolButton::clicked, this, signal);
+    row->addWidget(button);
+  };
+  add(tr("Open project…"), &StartPage::projectRequested);
+  add(tr("New project…"), &StartPage::newProjectRequested);
+  return box;
+}
+
+void StartPage::setProject(const QString& name, const QString& folder) {
+  project_->setFullText(tr("Project: %1").arg(name),
+                        tr("Catalogue and scans of this project: %1").arg(folder.toHtmlEscaped()));
 }
 
 void StartPage::setRecent(const QStringList& sources) {

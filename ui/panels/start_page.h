@@ -6,6 +6,7 @@ class QVBoxLayout;
 
 namespace scantrove {
 
+class ElidedLabel;
 class SavedScansPanel;
 
 /// Shown while nothing is open: a description of the program and ways to start.
@@ -14,16 +15,23 @@ class StartPage : public QWidget {
 
  public:
   explicit StartPage(QWidget* parent = nullptr);
+  /// The open project, and where it is on disk.
+  void setProject(const QString& name, const QString& folder);
   void setRecent(const QStringList& sources);
   [[nodiscard]] SavedScansPanel* savedScans() const { return saved_scans_; }
 
  signals:
+  void projectRequested();
+  void newProjectRequested();
   void folderRequested();
   void recordingRequested();
   void cameraRequested();
   void sourceChosen(const QString& source);
 
  private:
+  [[nodiscard]] QWidget* makeProjectRow();
+
+  ElidedLabel* project_ = nullptr;
   SavedScansPanel* saved_scans_;
   QVBoxLayout* recent_;
   QWidget* recent_box_;

@@ -123,8 +123,8 @@ TEST_F(WindowTest, ScansAnewWithTheProposedDepthScale_WhenItsButtonIsClicked) {
 }
 
 TEST_F(WindowTest, RemovesTheEmptyFolder_WhenOpeningFails) {
-  const auto scans = [] {
-    return QDir(ScanController::sessionsFolder()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+  const auto scans = [this] {
+    return QDir(window_->controller().scansFolder()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
   };
   const QStringList before = scans();
   window_->open(QStringLiteral("/somewhere/missing"));

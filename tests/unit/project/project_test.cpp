@@ -24,7 +24,7 @@ TEST(Project, IsCreatedAndOpenedAgain) {
   const auto opened = openProject(folder / "mugs/");
   ASSERT_TRUE(opened) << opened.error().message();
   EXPECT_EQ(opened->name, "Mugs & cups");
-  EXPECT_EQ(opened->catalogueFile(), folder / "mugs/catalogue.sqlite");
+  EXPECT_EQ(opened->catalogue, folder / "mugs/catalogue.sqlite");
 }
 
 TEST(Project, HasTheNameOfItsFolder_WithoutAnother) {
@@ -78,6 +78,18 @@ TEST(Project, OfAScanIsTwoFoldersUp) {
   EXPECT_FALSE(projectOfScan(folder / "other/first"));
 }
 
+TEST(Project, OfACatalogueIsThatOfItsFolder_OrItsOwn) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(createProject(folder / "mugs", "Mugs & cups"));
+  EXPECT_EQ(projectOfCatalogue(folder / "mugs/catalogue.sqlite").name, "Mugs & cups");
+  for (const char* const file : {"mugs/other.sqlite", "kitchen.sqlite"}) {
+    const Project alone = projectOfCatalogue(folder / file);
+    EXPECT_EQ(alone.name, fs::path(file).filename());
+    EXPECT_EQ(alone.catalogue, folder / file);
+    EXPECT_EQ(alone.scansFolder(), defaultProject().scansFolder());
+  }
+}
+
 TEST(Project, NamesFoldersOfScans) {
   const TemporaryFolder folder;
   const auto project = createProject(folder / "mugs", "");
@@ -94,7 +106,7 @@ TEST(Project, NamesFoldersOfScans) {
 }
 
 TEST(Project, CutsLongNamesBetweenCharacters) {
-  const Project project{"/p", "p"};
+  const Project project{"/p", "p", "/p/catalogue.sqlite"};
   std::string umlauts;
   for (int i = 0; i < 150; ++i) umlauts += "\xC3\xA4";
   const std::string name = newScanFolder(project, "2026-11-22 15.40.02", umlauts).filename().string();
@@ -110,7 +122,7 @@ TEST(Project, ScansFindTheCatalogueOfTheFolderThatTheyLieIn) {
   fs::create_directories(scan);
   folder.write("mugs/catalogue.sqlite", "");
   SessionSetup setup;
-  setup.database = storedDatabaseName(project->catalogueFile().string(), scan);
+  setup.database = storedDatabaseName(project->catalogue.string(), scan);
   EXPECT_EQ(setup.database, "../../catalogue.sqlite");
   fs::copy(folder / "mugs", folder / "copy", fs::copy_options::recursive);
   const fs::path found = databaseFileOf(setup, folder / "copy/scans/first");

@@ -1,4 +1,4 @@
-#include "ui/main_window/catalogue_choice.h"
+#include "ui/main_window/project_choice.h"
 
 #include <QDir>
 #include <QFile>
@@ -12,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-class CatalogueChoiceTest : public test::WindowTest {
+class ProjectChoiceTest : public test::WindowTest {
  protected:
   /// A saved scan with the path of its catalogue only.
   QString savedScanWith(const QString& catalogue) {
@@ -36,7 +36,7 @@ class CatalogueChoiceTest : public test::WindowTest {
   [[nodiscard]] std::string usedByScans() const { return window_->controller().request().database; }
 };
 
-TEST_F(CatalogueChoiceTest, IsRememberedAndShown_AfterARestart) {
+TEST_F(ProjectChoiceTest, IsRememberedAndShown_AfterARestart) {
   const QString kitchen = emptyCatalogue();
   window_->openCatalogue(kitchen);
   EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
@@ -45,19 +45,19 @@ TEST_F(CatalogueChoiceTest, IsRememberedAndShown_AfterARestart) {
   EXPECT_EQ(usedByScans(), kitchen.toStdString());
 }
 
-TEST_F(CatalogueChoiceTest, FallsBackToTheDefaultAndReportsIt_WhenTheFileIsMissing) {
+TEST_F(ProjectChoiceTest, FallsBackToTheDefaultAndReportsIt_WhenTheFileIsMissing) {
   const QString kitchen = emptyCatalogue();
   window_->openCatalogue(kitchen);
   window_.reset();
   ASSERT_TRUE(QFile::remove(kitchen));
   restartWith({});
-  EXPECT_EQ(usedByScans(), defaultCatalogueFile().toStdString());
+  EXPECT_EQ(usedByScans(), defaultProject().catalogue.string());
   EXPECT_TRUE(window_->parts().messages->text().contains(kitchen))
       << window_->parts().messages->text().toStdString();
   EXPECT_FALSE(QFile::exists(kitchen)) << "no empty catalogue is made";
 }
 
-TEST_F(CatalogueChoiceTest, SavedScanShowsItsOwnCatalogue_UntilItIsClosed) {
+TEST_F(ProjectChoiceTest, SavedScanShowsItsOwnCatalogue_UntilItIsClosed) {
   const QString kitchen = emptyCatalogue();
   window_->openSession(savedScanWith(kitchen));
   EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
@@ -68,7 +68,7 @@ TEST_F(CatalogueChoiceTest, SavedScanShowsItsOwnCatalogue_UntilItIsClosed) {
   EXPECT_EQ(list()->model()->rowCount(), 3);
 }
 
-TEST_F(CatalogueChoiceTest, SavedScanShowsNoObjects_WhenItsCatalogueIsMissing) {
+TEST_F(ProjectChoiceTest, SavedScanShowsNoObjects_WhenItsCatalogueIsMissing) {
   const QString missing = folder_.filePath(QStringLiteral("gone.sqlite"));
   window_->openSession(savedScanWith(missing));
   EXPECT_EQ(list()->model()->rowCount(), 0);
@@ -79,7 +79,47 @@ TEST_F(CatalogueChoiceTest, SavedScanShowsNoObjects_WhenItsCatalogueIsMissing) {
   EXPECT_EQ(list()->model()->rowCount(), 3) << "a new scan shows the chosen catalogue";
 }
 
-TEST_F(CatalogueChoiceTest, RunningScanKeepsItsCatalogue_WhenAnotherIsChosen) {
+TEST_F(ProjectChoiceTest, NewProjectIsShown_AndOpenedAgainAfterARestart) {
+  const QString folder = folder_.filePath(QStringLiteral("mugs"));
+  window_->createProjectFolder(folder);
+  EXPECT_EQ(shownName(), QStringLiteral("mugs"));
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("mugs — Scantrove"));
+  EXPECT_EQ(list()->model()->rowCount(), 0);
+  EXPECT_EQ(usedByScans(), (folder + QStringLiteral("/catalogue.sqlite")).toStdString());
+  EXPECT_EQ(window_->controller().scansFolder(), folder + QStringLiteral("/scans"));
+  EXPECT_EQ(ProjectChoice::recent().value(0), folder);
+  restartWith({});
+  EXPECT_EQ(shownName(), QStringLiteral("mugs"));
+}
+
+TEST_F(ProjectChoiceTest, ScanIsSavedInTheProject) {
+  const QString folder = folder_.filePath(QStringLiteral("mugs"));
+  window_->createProjectFolder(folder);
+  window_->open(QStringLiteral("demo"));
+  EXPECT_TRUE(window_->controller().sessionFolder().startsWith(folder + QStringLiteral("/scans/")))
+      << window_->controller().sessionFolder().toStdString();
+  EXPECT_EQ(worker_->last_request.database, (folder + QStringLiteral("/catalogue.sqlite")).toStdString());
+}
+
+TEST_F(ProjectChoiceTest, ErrorIsReported_WhenAFolderIsNoProject) {
+  const QString folder = folder_.filePath(QStringLiteral("plain"));
+  ASSERT_TRUE(QDir().mkpath(folder + QStringLiteral("/notes")));
+  window_->openProjectFolder(folder);
+  EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("is not a project")));
+  window_->createProjectFolder(folder);
+  EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("is not an empty folder")));
+  EXPECT_EQ(usedByScans(), file_.toStdString()) << "the old one stays";
+}
+
+TEST_F(ProjectChoiceTest, OpensAProject_WhenItsFolderIsDropped) {
+  const QString folder = folder_.filePath(QStringLiteral("mugs"));
+  ASSERT_TRUE(createProject(folder.toStdString(), {}));
+  window_->open(folder);
+  EXPECT_EQ(shownName(), QStringLiteral("mugs"));
+  EXPECT_TRUE(window_->onStartPage());
+}
+
+TEST_F(ProjectChoiceTest, RunningScanKeepsItsCatalogue_WhenAnotherIsChosen) {
   window_->open(QStringLiteral("demo"));
   const QString kitchen = emptyCatalogue();
   window_->openCatalogue(kitchen);

@@ -1,0 +1,158 @@
+#include "ui/main_window/project_choice.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <filesystem>
+#include <system_error>
+
+#include "core/session/session_list.h"
+#include "core/session/session_setup.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/models/catalogue_editor.h"
+
+namespace scantrove {
+namespace {
+
+const QString kLastKey = QStringLiteral("project/last"), kRecentKey = QStringLiteral("project/recent");
+constexpr int kMostRecent = 8;
+
+QString fromPath(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+bool isSameFile(const QString& a, const QString& b) {
+  return a == b || (QFileInfo::exists(a) && QFileInfo(a) == QFileInfo(b));
+}
+
+}  // namespace
+
+ProjectChoice::ProjectChoice(CatalogueEditor& editor, ScanController& controller, QObject* parent)
+    : QObject(parent), editor_(editor), controller_(controller) {}
+
+bool ProjectChoice::show(const QString& file) {
+  if (editor_.isOpen() && isSameFile(editor_.file(), file)) return true;
+  const Result<void> opened = editor_.open(file);
+  if (!opened) emit failed(QString::fromStdString(opened.error().message()));
+  return opened.has_value();
+}
+
+void ProjectChoice::use(const Project& project) {
+  project_ = project;
+  is_chosen_ = true;
+  controller_.setProject(project);
+  emit changed();
+}
+
+bool ProjectChoice::showAndUse(const Project& project) {
+  std::error_code ignored;  // opening the catalogue reports it
+  std::filesystem::create_directories(project.catalogue.parent_path(), ignored);
+  if (!show(fromPath(project.catalogue))) return false;
+  use(project);
+  return true;
+}
+
+QStringList ProjectChoice::recent() {
+  QStringList places = QSettings().value(kRecentKey).toStringList();
+  places.removeIf([](const QString& place) { return !QFileInfo::exists(place); });
+  return places;
+}
+
+void ProjectChoice::remember() const {
+  const bool is_whole = project_.catalogue.parent_path() == project_.folder;
+  const QString place = fromPath(is_whole ? project_.folder : project_.catalogue);
+  QStringList places = recent();
+  places.removeAll(place);
+  places.prepend(place);
+  QSettings().setValue(kLastKey, place);
+  QSettings().setValue(kRecentKey, QStringList(places.mid(0, kMostRecent)));
+}
+
+void ProjectChoice::openAtStart(const QString& project, const QString& catalogue) {
+  if (!project.isEmpty()) {
+    if (const Result<Project> given = openProject(project.toStdString()); !given) {
+      emit failed(QString::fromStdString(given.error().message()));
+    } else if (showAndUse(*given)) {
+      return;
+    }
+  }
+  if (!catalogue.isEmpty()) {
+    showAndUse(projectOfCatalogue(catalogue.toStdString()));
+    return;
+  }
+  const QString last = project.isEmpty() ? QSettings().value(kLastKey).toString() : QString();
+  // The choice stays stored, because the disk may only be missing now.
+  if (!last.isEmpty() && !QFileInfo::exists(last)) {
+    emit warned(tr("The last project %1 is missing. The window uses %2 now. Put it back and restart, or "
+                   "choose another with File > Open project.")
+                    .arg(last, fromPath(defaultProject().folder)));
+  } else if (!last.isEmpty() && QFileInfo(last).isDir()) {
+    const Result<Project> earlier = openProject(last.toStdString());
+    if (earlier && showAndUse(*earlier)) return;
+    if (!earlier) emit failed(QString::fromStdString(earlier.error().message()));
+  } else if (!last.isEmpty() && showAndUse(projectOfCatalogue(last.toStdString()))) {
+    return;
+  }
+  showAndUse(defaultProject());
+}
+
+bool ProjectChoice::open(const QString& folder) {
+  const Result<Project> project = openProject(folder.toStdString());
+  if (!project) {
+    emit failed(QString::fromStdString(project.error().message()));
+    return false;
+  }
+  if (!showAndUse(*project)) return false;
+  remember();
+  return true;
+}
+
+bool ProjectChoice::create(const QString& folder) {
+  if (const Result<Project> project = createProject(folder.toStdString(), {}); !project) {
+    emit failed(QString::fromStdString(project.error().message()));
+    return false;
+  }
+  return open(folder);
+}
+
+void ProjectChoice::chooseCatalogue(const QString& file, bool is_scan_shown) {
+  const Project project = projectOfCatalogue(file.toStdString());
+  const QString path = fromPath(project.catalogue);
+  const bool is_shown = editor_.isOpen() && isSameFile(editor_.file(), path);
+  if (is_scan_shown && !is_shown) {
+    UndoHistory no_steps;
+    CatalogueEditor trial(no_steps);  // creates it, or reports now why it cannot be used
+    if (const Result<void> opened = trial.open(path); !opened) {
+      emit failed(QString::fromStdString(opened.error().message()));
+      return;
+    }
+    emit warned(tr("This scan keeps its own catalogue. The next scan uses %1.").arg(path));
+  } else if (!show(path)) {
+    return;
+  }
+  use(project);
+  remember();
+}
+
+void ProjectChoice::showChosen() {
+  if (is_chosen_) show(fromPath(project_.catalogue));
+}
+
+void ProjectChoice::showCatalogueOf(const QString& session_folder) {
+  const std::filesystem::path folder = session_folder.toStdString();
+  SessionSetup setup;
+  for (const SessionSummary& scan : listSessions(folder)) {
+    if (scan.folder != folder) continue;
+    if (!scan.damage.empty()) return;  // opening it reports the damage
+    setup.database = scan.database;
+  }
+  const QString file = QString::fromStdString(databaseFileOf(setup, folder).string());
+  if (file.isEmpty()) return editor_.close();
+  if (!QFileInfo::exists(file)) {
+    editor_.close();
+    emit warned(tr("The catalogue %1 of this scan is missing, so no objects are shown. Put the file back and "
+                   "open the scan again.")
+                    .arg(file));
+    return;
+  }
+  if (!show(file)) editor_.close();
+}
+
+}  // namespace scantrove
