@@ -42,6 +42,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   heading(tr("Scan"));
   line(tr("Ctrl+O, Ctrl+Shift+O, Ctrl+Alt+O"), tr("Open a folder, a recording, or either with options"));
   line(tr("Ctrl+K"), tr("Scan with a camera"));
+  line(tr("Ctrl+J, Ctrl+N"), tr("Open a project; make a new one"));
   line(tr("Space"), tr("Pause, resume"));
   line(tr("N"), tr("Step one frame"));
   line(tr("Ctrl+R"), tr("Scan from the beginning"));
