@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <filesystem>
 #include <iomanip>
 #include <memory>
 
+#include "app/catalogue_access.h"
+#include "app/class_actions.h"
 #include "app/command.h"
 #include "app/core_application.h"
 #include "app/json_output.h"
+#include "core/catalogue/class_json.h"
 #include "core/catalogue/object_database.h"
 
 namespace scantrove {
@@ -21,33 +22,13 @@ struct ObjectsCommand {
   bool undo = false;
 };
 
-Result<std::unique_ptr<ObjectDatabase>> openExisting(const std::string& database) {
-  std::error_code failure;
-  if (database.find("://") == std::string::npos && !std::filesystem::exists(database, failure)) {
-    if (failure) {
-      return fail("Cannot read " + database + " (" + failure.message() + ").", "Check the path.");
-    }
-    return fail("There is no database " + database + ".",
-                "A scan creates one: scantrove scan SOURCE --out DIR.");
-  }
-  return ObjectDatabase::open(database);
-}
-
-/// Finds an object by id, or else by name. Names are never only digits.
-Result<ObjectRecord> findObject(ObjectDatabase& database, const std::string& text) {
-  std::uint32_t id = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, id);
-  if (failure == std::errc{} && stop == end && id != 0) return database.object(ObjectId{id});
-  const auto by_name = database.findByName(text);
-  if (!by_name) return fail(by_name.error());
-  if (*by_name) return database.object(*by_name);
-  return fail("There is no object '" + text + "'.", "'scantrove objects list' shows names and ids.");
-}
-
-Json toJson(const ObjectRecord& object) {
+Json toJson(const ObjectRecord& object, const CatalogueModel& catalogue) {
+  const ObjectClass* own = catalogue.classOf(object.classification);
   return {{"id", object.id.value},
           {"name", object.name},
+          {"class", own != nullptr ? Json(own->name) : Json(nullptr)},
+          {"class_id", own != nullptr ? Json(own->id.value) : Json(nullptr)},
+          {"attributes", answersToJson(catalogue.answersOf(object.classification))},
           {"named_by_person", object.named_by == NamedBy::user},
           {"confirmed", object.confirmed},
           {"size_m", {object.size_m.x(), object.size_m.y(), object.size_m.z()}},
@@ -86,8 +67,10 @@ Result<void> list(ObjectDatabase& database, const ObjectsCommand& command) {
     for (const ObjectRecord& object : *objects) printObject(object);
     return {};
   }
+  const auto catalogue = database.model();
+  if (!catalogue) return fail(catalogue.error());
   Json json = Json::array();
-  for (const ObjectRecord& object : *objects) json.push_back(toJson(object));
+  for (const ObjectRecord& object : *objects) json.push_back(toJson(object, *catalogue));
   printJson(json);
   return {};
 }
@@ -97,8 +80,10 @@ Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
   if (!object) return fail(object.error());
   const auto views = database.views().of(object->id);
   if (!views) return fail(views.error());
+  const auto catalogue = database.model();
+  if (!catalogue) return fail(catalogue.error());
   if (command.json) {
-    Json json = toJson(*object);
+    Json json = toJson(*object, *catalogue);
     json["views"] = Json::array();
     for (const ObjectView& view : *views) json["views"].push_back(toJson(view));
     printJson(json);
@@ -106,6 +91,8 @@ Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
   }
   printObject(*object);
   std::cout << "       first seen in " << inLine(object->first_session_name) << '\n';
+  if (const ObjectClass* own = catalogue->classOf(object->classification))
+    std::cout << "       class " << own->id.value << ": " << inLine(own->name) << '\n';
   for (const ObjectView& view : *views) {
     std::cout << "       view " << view.id << ": session " << view.session << ", frame " << view.frame_index
               << ", " << view.color.cols << " x " << view.color.rows << " px\n";
@@ -117,8 +104,10 @@ Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
 Result<void> report(ObjectDatabase& database, ObjectId id, const ObjectsCommand& command) {
   const auto object = database.object(id);
   if (!object) return fail(object.error());
+  const auto catalogue = database.model();
+  if (!catalogue) return fail(catalogue.error());
   if (command.json) {
-    printJson(toJson(*object));
+    printJson(toJson(*object, *catalogue));
   } else {
     printObject(*object);
   }
@@ -177,7 +166,7 @@ CLI::App* addAction(CLI::App& parent, const std::string& name, const std::string
   sub->callback([command, &job, action] {
     job = [command, action]() -> Result<void> {
       const CoreApplication qt;
-      auto database = openExisting(command->database);
+      auto database = openExistingCatalogue(command->database);
       if (!database) return fail(database.error());
       return action(**database, *command);
     };
@@ -214,6 +203,11 @@ void addObjectsCommand(CLI::App& app, CommandJob& job) {
       ->add_option("OTHER", command->other, "name or id of the other object")
       ->required();
   take_object(add("delete", "Delete an object from the catalogue", remove), "name or id");
+  const auto addDatabase = [command](CLI::App& sub) {
+    sub.add_option("--database", command->database, "the catalogue")->required()->type_name("DB");
+  };
+  addClassActions(*objects->add_subcommand("classes", "List and edit the classes of a catalogue"), job,
+                  {addDatabase, [command] { return openExistingCatalogue(command->database); }});
 }
 
 }  // namespace scantrove

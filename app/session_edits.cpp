@@ -68,9 +68,13 @@ void updateCatalogue(OpenSession& session, const SessionArguments& arguments) {
 
 Result<void> editSession(OpenSession& session, const SessionArguments& arguments, OperationKind kind) {
   Operation operation = operationOn(kind, arguments);
-  // A new name keeps the category unless a category is given.
-  if (isNaming(kind) && !arguments.category && !trimmed(arguments.name).empty() && !operation.regions.empty())
-    operation.category = session.noteOf(operation.regions.front()).category;
+  // A new name keeps the class unless one is given.
+  if (isNaming(kind) && !arguments.category && !trimmed(arguments.name).empty() &&
+      !operation.regions.empty()) {
+    const RegionId region = operation.regions.front();
+    const RegionLabel label = session.labelOf(region);
+    operation.category = label.class_id ? label.category : session.noteOf(region).category;
+  }
   for (const RegionId region : operation.regions) {
     if (isNaming(kind))
       session.setMetadata(sessionOnlyKeyOf(region), arguments.without_catalogue ? operation.name : "");

@@ -17,6 +17,7 @@ using SegmentId = Id<struct SegmentTag>;    ///< a segment of one frame (S_t)
 using FragmentId = Id<struct FragmentTag>;  ///< stored in the voxels; 24 bits
 using RegionId = Id<struct RegionTag>;      ///< a set of fragments; its identity survives merges and splits
 using ObjectId = Id<struct ObjectTag>;      ///< a row of the catalogue's table `objects`
+using ClassId = Id<struct ClassTag>;        ///< a row of the catalogue's table `classes`
 
 }  // namespace scantrove
 

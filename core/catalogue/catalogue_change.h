@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -7,8 +8,13 @@
 
 namespace scantrove {
 
-/// One change of one object. CatalogueModel decides changes, the database stores them as events, and
-/// running scans and the window follow them.
+/// A change of one class.
+struct ClassChange {
+  ObjectClass before, after;  ///< of an added class `before` has no id
+};
+
+/// One change of one object or one class. CatalogueModel decides changes, the database stores them as events,
+/// and running scans and the window follow them.
 struct CatalogueChange {
   enum class Kind : std::uint8_t {
     added,
@@ -20,12 +26,21 @@ struct CatalogueChange {
     restored,
     merged,
     unmerged,
-    views_discarded  ///< some of its views belong to another object now
+    views_discarded,  ///< some of its views belong to another object now
+    classified,       ///< an object has another class or other answers
+    class_added,
+    class_edited,  ///< name, color, supercategory or attributes
+    class_hidden,
+    class_restored,
+    class_merged,
+    class_unmerged
   };
   Kind kind = Kind::added;
-  ObjectState before, after;  ///< of one object; added objects and views have only their id
-  std::int64_t view = 0;      ///< of view_added
-  ObjectId part = {};         ///< of views_discarded by an unmerge: the object that has the views now
+  /// Of one object; added objects and views have only their id. Changes of classes have no object.
+  ObjectState before, after;
+  std::int64_t view = 0;  ///< of view_added
+  ObjectId part = {};     ///< of views_discarded by an unmerge: the object that has the views now
+  std::optional<ClassChange> of_class = {};  ///< of class_...
 
   [[nodiscard]] ObjectId object() const { return after.id; }
   /// The other object of a merge or unmerge; none for other kinds.
@@ -37,6 +52,13 @@ struct CatalogueChange {
     return kind == Kind::removed || kind == Kind::restored || kind == Kind::merged || kind == Kind::unmerged;
   }
 };
+
+/// Whether changes of this kind are of a class, not of an object.
+[[nodiscard]] inline bool isOfClass(CatalogueChange::Kind kind) {
+  using Kind = CatalogueChange::Kind;
+  return kind == Kind::class_added || kind == Kind::class_edited || kind == Kind::class_hidden ||
+         kind == Kind::class_restored || kind == Kind::class_merged || kind == Kind::class_unmerged;
+}
 
 /// Changes in the order in which the database committed them.
 struct CatalogueChanges {

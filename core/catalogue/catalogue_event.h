@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/catalogue/catalogue_change.h"
+#include "core/catalogue/class_table.h"
 #include "core/catalogue/object_record.h"
 
 namespace scantrove {
@@ -20,6 +21,7 @@ struct CataloguePosition {
 struct CatalogueEdits {
   std::vector<CatalogueChange> changes;
   std::vector<ObjectState> objects;     ///< of all objects; empty: only `changes` apply
+  ClassTable classes = {};              ///< all, beside `objects`
   std::vector<ObjectRecord> records;    ///< of visible objects that changed
   std::vector<StoredDescriptor> views;  ///< new ones
 

@@ -50,11 +50,14 @@ Result<CatalogueEdits> CatalogueFeed::readEdits() {
   CatalogueEdits edits;
   edits.changes = std::move(filter.changes);
   CataloguePosition now{changes->last_event, position_.view};
-  if (std::ranges::any_of(edits.changes, &CatalogueChange::movesViews)) SCANTROVE_TRY(readObjects(edits));
+  const auto needsObjects = [](const CatalogueChange& change) {
+    return change.movesViews() || change.of_class.has_value();
+  };
+  if (std::ranges::any_of(edits.changes, needsObjects)) SCANTROVE_TRY(readObjects(edits));
   std::set<ObjectId> changed;
   bool has_views = false;
   for (const CatalogueChange& change : edits.changes) {
-    changed.insert(change.object());
+    if (change.object()) changed.insert(change.object());
     if (change.mergeTarget()) changed.insert(change.mergeTarget());
     has_views = has_views || change.kind == CatalogueChange::Kind::view_added;
   }
@@ -95,6 +98,7 @@ Result<void> CatalogueFeed::readObjects(CatalogueEdits& edits) {
   const Result<CatalogueModel> model = database_.model();
   if (!model) return fail(model.error());
   for (const auto& [id, object] : model->objects()) edits.objects.push_back(object);
+  edits.classes = model->classes();
   return {};
 }
 

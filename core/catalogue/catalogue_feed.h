@@ -33,7 +33,7 @@ class CatalogueFeed {
   /// How far the catalogue was read.
   [[nodiscard]] CataloguePosition position() const { return position_; }
 
-  /// The current states of all objects and the current records of some.
+  /// The current states of all objects and classes, and the current records of some objects.
   [[nodiscard]] Result<CatalogueEdits> reread(std::span<const ObjectId> objects);
 
   /// Whether a user undid a merge of these two, among the changes read.

@@ -182,13 +182,13 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Name& job) {
   if (!*root) return Events{event::NameDropped{job.object, std::nullopt}};
   if (overruled_.contains(job.again))
     return withRecords(event::NameDropped{job.object, std::nullopt}, std::array{object, *root});
-  const Result<ObjectNaming> naming = database_->nameByUser(*root, job.name);
+  const Result<ObjectNaming> naming = database_->nameByUser(*root, job.given.name, job.given.class_name);
   if (!naming) return fail(naming.error());
   if (!naming->object) {
     return withRecords(
-        event::NameDropped{job.object,
-                           Error{"Another object in " + options_.database + " is called " + job.name + ".",
-                                 "Choose another name, or merge the two if they are one."}},
+        event::NameDropped{
+            job.object, Error{"Another object in " + options_.database + " is called " + job.given.name + ".",
+                              "Choose another name, or merge the two if they are one."}},
         std::array{object, *root});
   }
   touched_.insert(naming->object);

@@ -35,7 +35,7 @@ struct Merge {
 struct Name {
   int naming = 0;
   ObjectId object;
-  std::string name;
+  GivenName given;
   int again = 0;
 };
 struct RevertNaming {

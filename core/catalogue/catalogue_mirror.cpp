@@ -43,6 +43,7 @@ Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
   const Result<CatalogueModel> model = database.model();
   if (!model) return fail(model.error());
   for (const auto& [id, object] : model->objects()) put(object);
+  model_.putClasses(model->classes());
   updateRoots();
   const Result<int> views = database.views().count();
   if (!views) return fail(views.error());
@@ -111,6 +112,7 @@ void CatalogueMirror::updateFromModel() {
       found->second.name = object.name;
       found->second.named_by = object.named_by;
       found->second.confirmed = object.confirmed;
+      found->second.classification = object.classification;
     }
   }
 }
@@ -187,14 +189,14 @@ void CatalogueMirror::join(ObjectId into, ObjectId from) {
   if (const Eigen::Vector3f size_m = sizeOf(into); !size_m.isZero()) record.size_m = size_m;
 }
 
-void CatalogueMirror::name(ObjectId object, const std::string& name) {
-  pending_names_.emplace_back(object, name);
-  applyName(object, name);
+void CatalogueMirror::name(ObjectId object, const GivenName& given) {
+  pending_names_.emplace_back(object, given);
+  applyName(object, given);
 }
 
-void CatalogueMirror::applyName(ObjectId object, const std::string& name) {
+void CatalogueMirror::applyName(ObjectId object, const GivenName& given) {
   if (!mergeRootOf(object)) return;
-  static_cast<void>(model_.nameByUser(object, name));
+  static_cast<void>(model_.nameByUser(object, given.name, given.class_name));
   updateFromModel();
 }
 
@@ -253,6 +255,7 @@ struct CatalogueMirror::Applied {
         hide(from, into);
         mirror.join(into, from);
         mirror.records_.at(into).confirmed = mirror.model_.find(into)->confirmed;
+        mirror.records_.at(into).classification = mirror.model_.find(into)->classification;
       } else if (is_from_here && e.root) {  // the database chose the other root
         hide(from, into);
         ObjectRecord record = *e.root;
@@ -278,9 +281,10 @@ struct CatalogueMirror::Applied {
     ObjectState part = *mirror.model_.find(from);
     part.hidden = true;
     part.merged_into = into;
-    if (const ObjectState* known = mirror.model_.visible(into); known != nullptr && part.confirmed) {
+    if (const ObjectState* known = mirror.model_.visible(into)) {
       ObjectState root = *known;
-      root.confirmed = true;
+      root.confirmed = root.confirmed || part.confirmed;
+      if (mirror.model_.classOf(root.classification) == nullptr) root.classification = part.classification;
       mirror.model_.put(std::move(root));
     }
     mirror.model_.put(std::move(part));
@@ -300,12 +304,13 @@ struct CatalogueMirror::Applied {
 void CatalogueMirror::apply(const CatalogueEvent& event) { std::visit(Applied{*this}, event); }
 
 void CatalogueMirror::putRecord(ObjectRecord record) {
-  model_.put({record.id, record.name, record.named_by, record.confirmed, false, {}});
+  model_.put({record.id, record.name, record.named_by, record.confirmed, false, {}, record.classification});
   records_[record.id] = std::move(record);
 }
 
 void CatalogueMirror::edit(const CatalogueEdits& edits) {
   for (const CatalogueChange& change : edits.changes) {
+    if (change.of_class) continue;  // `edits.classes` has all
     const ObjectId object = keyOf(change.object()), other = keyOf(change.mergeTarget());
     if (change.kind == CatalogueChange::Kind::added) {
       put(change.after);
@@ -317,6 +322,8 @@ void CatalogueMirror::edit(const CatalogueEdits& edits) {
     if (other) merge_edited_.insert(other);
   }
   for (const ObjectState& object : edits.objects) put(object);
+  // Also without objects: classes that only this mirror made have other ids in the database.
+  if (!edits.objects.empty() || !edits.classes.all().empty()) model_.putClasses(edits.classes);
   if (!edits.objects.empty()) {
     updateRoots();
     std::erase_if(records_, [this](const auto& entry) { return model_.visible(entry.first) == nullptr; });
@@ -339,7 +346,7 @@ void CatalogueMirror::applyPending() {
     static_cast<void>(model_.merge(std::array{first, second}));
     updateFromModel();
   }
-  for (const auto& [object, name] : pending_names_) applyName(object, name);
+  for (const auto& [object, given] : pending_names_) applyName(object, given);
 }
 
 }  // namespace scantrove

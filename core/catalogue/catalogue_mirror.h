@@ -16,8 +16,8 @@
 
 namespace scantrove {
 
-/// The catalogue in memory for a running scan: a CatalogueModel of all objects, the records of the visible
-/// ones, and all views in the detector. It is read once. The scan's objects are added at once;
+/// The catalogue in memory for a running scan: a CatalogueModel of all objects and classes, the records of
+/// the visible ones, and all views in the detector. It is read once. The scan's objects are added at once;
 /// CatalogueWriter stores them on another thread, and its events report the outcome and the changes by
 /// others. One thread, the worker's. More than thirty functions: each change of the model must reach
 /// records, sizes and detector in one step, so they are kept together.
@@ -82,7 +82,7 @@ class CatalogueMirror {
   /// Merges two visible objects.
   void merge(ObjectId a, ObjectId b);
   /// CatalogueModel::nameByUser().
-  void name(ObjectId object, const std::string& name);
+  void name(ObjectId object, const GivenName& given);
   /// Removes an object that was made for an operation which a user undid, unless others are merged into it.
   /// Its names are undone with it.
   void withdraw(ObjectId object);
@@ -109,7 +109,7 @@ class CatalogueMirror {
   /// Number of the object's views that the database does not have yet.
   [[nodiscard]] int pendingViews(ObjectId root) const;
   void edit(const CatalogueEdits& edits);
-  void applyName(ObjectId object, const std::string& name);
+  void applyName(ObjectId object, const GivenName& given);
   /// Applies changes again that the database does not have yet.
   void applyPending();
 
@@ -122,10 +122,10 @@ class CatalogueMirror {
 
   std::int64_t session_ = 0;  // the catalogue's session that continues; 0: none
   std::uint32_t next_key_ = kFirstKey;
-  std::unordered_map<ObjectId, ObjectId> ids_, keys_;            // of this scan's stored objects
-  std::map<ObjectId, int> pending_views_;                        // by first object
-  std::vector<std::pair<ObjectId, ObjectId>> pending_merges_;    // in order
-  std::vector<std::pair<ObjectId, std::string>> pending_names_;  // likewise
+  std::unordered_map<ObjectId, ObjectId> ids_, keys_;          // of this scan's stored objects
+  std::map<ObjectId, int> pending_views_;                      // by first object
+  std::vector<std::pair<ObjectId, ObjectId>> pending_merges_;  // in order
+  std::vector<std::pair<ObjectId, GivenName>> pending_names_;  // likewise
 };
 
 }  // namespace scantrove

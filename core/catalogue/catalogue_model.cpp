@@ -99,6 +99,14 @@ void CatalogueModel::applyHidden(ObjectId id) {
   apply(Kind::removed, std::move(object));
 }
 
+std::optional<Reclassified> CatalogueModel::applyClassification(ObjectId id, Classification after) {
+  ObjectState object = objects_.at(id);
+  if (object.classification == after) return std::nullopt;
+  Reclassified change{id, std::exchange(object.classification, after), std::move(after)};
+  apply(Kind::classified, std::move(object));
+  return change;
+}
+
 void CatalogueModel::applyShown(Kind kind, ObjectId id) {
   const ObjectState& hidden = objects_.at(id);
   ObjectState object = hidden;
@@ -130,9 +138,12 @@ Result<void> CatalogueModel::setConfirmed(std::span<const ObjectId> ids, bool co
   return {};
 }
 
-Result<ObjectNaming> CatalogueModel::nameByUser(ObjectId id, const std::string& name) {
+Result<ObjectNaming> CatalogueModel::nameByUser(ObjectId id, const std::string& name,
+                                                const std::string& class_name) {
   const Result<std::string> checked = checkedLabelName(name);
   if (!checked) return fail(checked.error());
+  const Result<ClassDraft> draft = checkedDraft({.name = class_name});
+  if (!draft) return fail(draft.error());
   if (const Result<ObjectState> object = known(id); !object) return fail(object.error());
   const Result<ObjectState> own = shown(viewOwner(id));
   if (!own) return fail(own.error());
@@ -143,6 +154,15 @@ Result<ObjectNaming> CatalogueModel::nameByUser(ObjectId id, const std::string& 
   ObjectNaming naming{before.id, *checked, before.name, before.named_by, before.confirmed};
   applyName(before.id, *checked, NamedBy::user);  // first, because a user's name decides the root
   applyConfirmed(before.id, true);
+  const ObjectClass* known = nullptr;
+  if (!draft->name.empty()) {
+    if (classes_.named(draft->name) == nullptr) SCANTROVE_TRY(moveInto(naming.made_class, addClass(*draft)));
+    known = classes_.named(draft->name);
+  } else if (classOf(before.classification) == nullptr) {
+    known = classes_.suggestedBy(*checked);
+  }
+  if (known != nullptr && known != classOf(before.classification))
+    naming.reclassified = applyClassification(before.id, {known->id, before.classification.attributes});
   if (is_other) SCANTROVE_TRY(moveInto(naming.merge, merge(std::array{before.id, own->id})));
   return naming;
 }
@@ -163,6 +183,10 @@ Result<bool> CatalogueModel::revertNaming(const ObjectNaming& naming) {
     return is_done;
   applyName(naming.object, naming.earlier_name, naming.earlier_named_by);
   if (!naming.earlier_confirmed) applyConfirmed(naming.object, false);
+  if (naming.reclassified) SCANTROVE_TRY(revertReclassified({&*naming.reclassified, 1}));
+  const ObjectClass* made = classes_.find(naming.made_class);
+  if (made != nullptr && !made->hidden && !isUsed(made->id))
+    return hideClasses({&made->id, 1}).map([] { return true; });
   return true;
 }
 
@@ -189,6 +213,14 @@ Result<ObjectMerge> CatalogueModel::merge(std::span<const ObjectId> ids) {
     apply(Kind::merged, std::move(object));
   }
   if (merge.has_confirmed) applyConfirmed(root.id, true);
+  if (classOf(root.classification) != nullptr) return merge;
+  const auto classified = std::ranges::find_if(
+      ranked, [this](const ObjectState& object) { return classOf(object.classification) != nullptr; });
+  if (classified == ranked.end()) return merge;
+  Classification taken{classified->classification.class_id, root.classification.attributes};
+  taken.attributes.insert(classified->classification.attributes.begin(),
+                          classified->classification.attributes.end());
+  merge.reclassified = applyClassification(root.id, std::move(taken));
   return merge;
 }
 
@@ -204,6 +236,7 @@ Result<void> CatalogueModel::unmerge(const ObjectMerge& merge) {
   }
   for (const ObjectId id : merge.from) applyShown(Kind::unmerged, id);
   if (merge.has_confirmed) applyConfirmed(merge.into, false);
+  if (merge.reclassified) SCANTROVE_TRY(revertReclassified({&*merge.reclassified, 1}));
   // It may be merged into another object by now, which had these views, too.
   const ObjectId owner = viewOwner(merge.into);
   if (owner != merge.into) {
@@ -242,6 +275,93 @@ Result<bool> CatalogueModel::withdraw(ObjectId made) {
   if (object->hidden || isSettled(*object) || has_parts) return false;
   applyHidden(made);
   return true;
+}
+
+// Classes.
+
+AttributeValues CatalogueModel::answersOf(const Classification& classification) const {
+  AttributeValues answers;
+  const ObjectClass* root = classOf(classification);
+  if (root == nullptr || classification.attributes.empty()) return answers;
+  for (const ClassAttribute& attribute : classes_.attributesOf(root->id)) {
+    const auto found = classification.attributes.find(attribute.name);
+    if (found != classification.attributes.end()) answers.insert(*found);
+  }
+  return answers;
+}
+
+bool CatalogueModel::isUsed(ClassId root) const {
+  return std::ranges::any_of(objects_, [&](const auto& entry) {
+    const ObjectClass* own = entry.second.hidden ? nullptr : classOf(entry.second.classification);
+    return own != nullptr && own->id == root;
+  });
+}
+
+Result<void> CatalogueModel::hideClasses(std::span<const ClassId> ids) {
+  const auto used = std::ranges::find_if(ids, [this](ClassId id) { return isUsed(id); });
+  if (used != ids.end()) {
+    return fail("Objects in " + place_ + " have the class " + classes_.find(*used)->name + ".",
+                "Classify them first, or merge the class into another one.");
+  }
+  return classEdits().hide(ids);
+}
+
+Result<std::vector<Reclassified>> CatalogueModel::classify(std::span<const ObjectId> ids, ClassId class_id) {
+  if (class_id) {
+    if (const Result<ObjectClass> known = classEdits().shown(class_id); !known) return fail(known.error());
+  }
+  for (const ObjectId id : ids) {
+    if (const Result<ObjectState> object = shown(id); !object) return fail(object.error());
+  }
+  std::vector<Reclassified> changes;
+  for (const ObjectId id : ids) {
+    const Classification& own = objects_.at(id).classification;
+    const ObjectClass* root = classOf(own);
+    if (root != nullptr ? root->id == class_id : !class_id) continue;
+    if (auto change = applyClassification(id, {class_id, own.attributes}))
+      changes.push_back(std::move(*change));
+  }
+  return changes;
+}
+
+Result<std::vector<Reclassified>> CatalogueModel::answer(std::span<const ObjectId> ids,
+                                                         const std::string& attribute,
+                                                         const std::string& value) {
+  std::map<ObjectId, std::string> values;
+  for (const ObjectId id : ids) {
+    const Result<ObjectState> object = shown(id);
+    if (!object) return fail(object.error());
+    const ObjectClass* root = classOf(object->classification);
+    if (root == nullptr) return fail(called(*object) + " has no class.", "Classify it first.");
+    const std::vector<ClassAttribute> asked = classes_.attributesOf(root->id);
+    const auto found = std::ranges::find(asked, attribute, &ClassAttribute::name);
+    if (found == asked.end()) {
+      return fail("The class " + root->name + " has no attribute '" + attribute + "'.",
+                  "Give it to the class first.");
+    }
+    SCANTROVE_TRY(moveInto(values[id], checkedAnswer(*found, value)));
+  }
+  std::vector<Reclassified> changes;
+  for (const auto& [id, text] : values) {
+    Classification after = objects_.at(id).classification;
+    after.attributes.erase(attribute);
+    if (!text.empty()) after.attributes[attribute] = text;
+    if (auto change = applyClassification(id, std::move(after))) changes.push_back(std::move(*change));
+  }
+  return changes;
+}
+
+Result<bool> CatalogueModel::revertReclassified(std::span<const Reclassified> changes) {
+  for (const Reclassified& change : changes) {
+    if (const Result<ObjectState> object = known(change.object); !object) return fail(object.error());
+  }
+  bool are_all = true;
+  for (const Reclassified& change : changes) {
+    const bool is_unchanged = objects_.at(change.object).classification == change.after;
+    if (is_unchanged) applyClassification(change.object, change.before);
+    are_all = are_all && is_unchanged;
+  }
+  return are_all;
 }
 
 }  // namespace scantrove

@@ -104,9 +104,9 @@ void CatalogueWriter::merge(ObjectId a, ObjectId b) {
   enqueue(job::Merge{a, b});
 }
 
-void CatalogueWriter::name(int naming, ObjectId object, const std::string& name, int again) {
+void CatalogueWriter::name(int naming, ObjectId object, const GivenName& given, int again) {
   const std::scoped_lock lock(mutex_);
-  enqueue(job::Name{naming, object, name, again});
+  enqueue(job::Name{naming, object, given, again});
 }
 
 void CatalogueWriter::revertNaming(int naming, std::optional<ObjectNaming> earlier) {

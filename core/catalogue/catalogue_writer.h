@@ -63,7 +63,7 @@ class CatalogueWriter {
   /// A user names the object (ObjectDatabase::nameByUser), unless it is deleted by then. `naming`: a
   /// number for revertNaming(). `again`: the number of a reverted naming to redo; does nothing if others
   /// overruled it.
-  void name(int naming, ObjectId object, const std::string& name, int again = 0);
+  void name(int naming, ObjectId object, const GivenName& given, int again = 0);
   /// Reverts that naming, except for later changes by others. `earlier`: its effect, if an earlier scan
   /// made it.
   void revertNaming(int naming, std::optional<ObjectNaming> earlier = std::nullopt);

@@ -9,7 +9,7 @@ namespace scantrove {
 
 class DatabaseConnection;
 
-/// Events of the table `events` other than changes of objects.
+/// Events of the table `events` other than changes of objects and classes.
 namespace action {
 inline constexpr const char* kSessionBegin = "session-begin";
 inline constexpr const char* kSessionEnd = "session-end";
@@ -27,7 +27,7 @@ inline constexpr const char* kDiscardViews = "leave-behind";
 
 /// The newest row; 0: none.
 [[nodiscard]] Result<std::int64_t> lastEvent(DatabaseConnection& connection);
-/// The rows after that one. Rows that are malformed or no change of an object are left out.
+/// The rows after that one. Rows that are malformed or no change of an object or a class are left out.
 [[nodiscard]] Result<CatalogueChanges> changesAfter(DatabaseConnection& connection, std::int64_t event);
 
 }  // namespace scantrove

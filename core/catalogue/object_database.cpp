@@ -6,11 +6,11 @@
 
 #include "core/base/label_name.h"
 #include "core/catalogue/catalogue_schema.h"
+#include "core/catalogue/class_json.h"
 #include "core/catalogue/event_rows.h"
 #include "core/catalogue/object_rows.h"
 #include "core/catalogue/view_rows.h"
 #include "core/database/database_connection.h"
-#include "core/database/transaction.h"
 
 namespace scantrove {
 namespace {
@@ -18,8 +18,12 @@ namespace {
 constexpr const char* kSelectObjects =
     "SELECT o.id, o.name, o.confirmed, o.size_x_m, o.size_y_m, o.size_z_m,"
     " (SELECT count(*) FROM views v WHERE v.object = o.id), o.first_session, s.source, o.created,"
-    " o.named_by_person"
+    " o.named_by_person, %1"
     " FROM objects o LEFT JOIN sessions s ON s.id = o.first_session WHERE o.hidden = 0 ";
+
+QString selectObjects(bool has_classes) {
+  return QString(kSelectObjects).arg(has_classes ? "o.class, o.attributes" : "NULL, NULL");
+}
 
 ObjectRecord toRecord(const QSqlQuery& query) {
   ObjectRecord record;
@@ -32,12 +36,14 @@ ObjectRecord toRecord(const QSqlQuery& query) {
   record.first_session_name = query.value(8).toString().toStdString();
   record.created = query.value(9).toString().toStdString();
   record.named_by = query.value(10).toInt() != 0 ? NamedBy::user : NamedBy::program;
+  record.classification = {ClassId{query.value(11).toUInt()},
+                           answersFromText(query.value(12).toString().toStdString())};
   return record;
 }
 
-/// Schema versions: the oldest with all columns that are read, the first with cameras of sessions, and the
-/// first with an identity.
-constexpr int kOldestToRead = 3, kFirstWithCameras = 4, kFirstWithIdentity = 6;
+/// Schema versions: the oldest with all columns that must be there, the first with cameras of sessions, the
+/// first with an identity, and the first with classes.
+constexpr int kOldestToRead = 3, kFirstWithCameras = 4, kFirstWithIdentity = 6, kFirstWithClasses = 9;
 
 /// The N of the next Obj_N: above all earlier numbers, and not the name of any object, visible or not.
 Result<int> nextNumber(DatabaseConnection& connection) {
@@ -65,20 +71,6 @@ Result<ObjectId> addForDiscardedViews(DatabaseConnection& connection, std::int64
       {number, "Discarded views", orNull(session), DatabaseConnection::now()});
   if (!row) return fail(row.error());
   return ObjectId{static_cast<std::uint32_t>(*row)};
-}
-
-/// One operation on objects: reads its rows, lets the model decide, and stores the changes.
-template <class Read, class Operation>
-auto changeObjects(DatabaseConnection& connection, Read&& read, Operation&& operation)
-    -> std::invoke_result_t<Operation, CatalogueModel&> {
-  using Answer = std::invoke_result_t<Operation, CatalogueModel&>;
-  return inTransaction(connection, [&]() -> Answer {
-    ObjectRows rows(connection);
-    SCANTROVE_TRY(read(rows));
-    Answer answer = operation(rows.model());
-    if (answer) SCANTROVE_TRY(rows.store());
-    return answer;
-  });
 }
 
 /// Reads the rows for an unmerge.
@@ -117,7 +109,9 @@ ObjectDatabase::ObjectDatabase(std::unique_ptr<DatabaseConnection> connection, i
     : connection_(std::move(connection)),
       sessions_(*connection_, version >= kFirstWithCameras),
       views_(*connection_),
-      has_identity_(version >= kFirstWithIdentity) {}
+      classes_(*connection_),
+      has_identity_(version >= kFirstWithIdentity),
+      has_classes_(version >= kFirstWithClasses) {}
 
 ObjectDatabase::~ObjectDatabase() = default;
 
@@ -133,7 +127,7 @@ Result<std::string> ObjectDatabase::identity() {
 }
 
 Result<std::vector<ObjectRecord>> ObjectDatabase::objects() {
-  Result<QSqlQuery> query = connection_->execute(QString(kSelectObjects) + "ORDER BY o.id");
+  Result<QSqlQuery> query = connection_->execute(selectObjects(has_classes_) + "ORDER BY o.id");
   if (!query) return fail(query.error());
   std::vector<ObjectRecord> records;
   while (query->next()) records.push_back(toRecord(*query));
@@ -141,10 +135,10 @@ Result<std::vector<ObjectRecord>> ObjectDatabase::objects() {
 }
 
 Result<ObjectRecord> ObjectDatabase::object(ObjectId id) {
-  Result<QSqlQuery> query = connection_->execute(QString(kSelectObjects) + "AND o.id = ?", {id.value});
+  Result<QSqlQuery> query = connection_->execute(selectObjects(has_classes_) + "AND o.id = ?", {id.value});
   if (!query) return fail(query.error());
   if (query->next()) return toRecord(*query);
-  ObjectRows rows(*connection_);
+  ObjectRows rows(*connection_, has_classes_);
   SCANTROVE_TRY(rows.read(id));
   if (const Result<ObjectState> row = rows.model().shown(id); !row) return fail(row.error());
   return fail("The object " + std::to_string(id.value) + " in " + connection_->file() +
@@ -153,21 +147,21 @@ Result<ObjectRecord> ObjectDatabase::object(ObjectId id) {
 }
 
 Result<ObjectId> ObjectDatabase::findByName(const std::string& name) {
-  ObjectRows rows(*connection_);
+  ObjectRows rows(*connection_, has_classes_);
   SCANTROVE_TRY(rows.readNamed(name));
   const ObjectState* object = rows.model().named(name);
   return object != nullptr ? object->id : ObjectId{};
 }
 
 Result<ObjectId> ObjectDatabase::mergeRoot(ObjectId id) {
-  ObjectRows rows(*connection_);
+  ObjectRows rows(*connection_, has_classes_);
   SCANTROVE_TRY(rows.read(id));
   if (const Result<ObjectState> object = rows.model().known(id); !object) return fail(object.error());
   return rows.model().mergeRoot(id);
 }
 
 Result<CatalogueModel> ObjectDatabase::model() {
-  ObjectRows rows(*connection_);
+  ObjectRows rows(*connection_, has_classes_);
   SCANTROVE_TRY(rows.readAll());
   return std::move(rows.model());
 }
@@ -208,7 +202,7 @@ Result<std::int64_t> ObjectDatabase::addView(const ObjectView& view, const Check
 Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
                                           std::span<const int> frames) {
   return inTransaction(*connection_, [&]() -> Result<bool> {
-    ObjectRows rows(*connection_);
+    ObjectRows rows(*connection_, has_classes_);
     SCANTROVE_TRY(rows.read(object));
     if (const Result<ObjectState> known = rows.model().known(object); !known) return fail(known.error());
     const ObjectId root = rows.model().mergeRoot(object);
@@ -253,37 +247,39 @@ Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
 Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name, NamedBy by) {
   const Result<std::string> checked = checkedLabelName(name);
   if (!checked) return fail(checked.error());
-  return changeObjects(
+  return changeCatalogue(
       *connection_, [&](ObjectRows& rows) { return readForNaming(rows, id, *checked); },
       [&](CatalogueModel& model) { return model.rename(id, *checked, by); });
 }
 
 Result<void> ObjectDatabase::setConfirmed(std::span<const ObjectId> objects, bool confirmed) {
-  return changeObjects(
+  return changeCatalogue(
       *connection_, [&](ObjectRows& rows) { return rows.read(objects); },
       [&](CatalogueModel& model) { return model.setConfirmed(objects, confirmed); });
 }
 
-Result<ObjectNaming> ObjectDatabase::nameByUser(ObjectId id, const std::string& name) {
+Result<ObjectNaming> ObjectDatabase::nameByUser(ObjectId id, const std::string& name,
+                                                const std::string& class_name) {
   const Result<std::string> checked = checkedLabelName(name);
   if (!checked) return fail(checked.error());
-  return changeObjects(
+  return changeCatalogue(
       *connection_, [&](ObjectRows& rows) { return readForNaming(rows, id, *checked); },
-      [&](CatalogueModel& model) { return model.nameByUser(id, *checked); });
+      [&](CatalogueModel& model) { return model.nameByUser(id, *checked, class_name); });
 }
 
 Result<bool> ObjectDatabase::revertNaming(const ObjectNaming& naming) {
-  return changeObjects(
+  return changeCatalogue(
       *connection_,
       [&](ObjectRows& rows) -> Result<void> {
         if (naming.merge) SCANTROVE_TRY(readMerge(rows, *naming.merge));
+        if (naming.made_class) SCANTROVE_TRY(rows.readOfClass(naming.made_class));
         return readForNaming(rows, naming.object, naming.earlier_name);
       },
       [&](CatalogueModel& model) { return model.revertNaming(naming); });
 }
 
 Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects, const Check& check) {
-  return changeObjects(
+  return changeCatalogue(
       *connection_,
       [&](ObjectRows& rows) -> Result<void> {
         SCANTROVE_TRY(check());
@@ -293,19 +289,19 @@ Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects, con
 }
 
 Result<void> ObjectDatabase::unmerge(const ObjectMerge& merge) {
-  return changeObjects(
+  return changeCatalogue(
       *connection_, [&](ObjectRows& rows) { return readMerge(rows, merge); },
       [&](CatalogueModel& model) { return model.unmerge(merge); });
 }
 
 Result<void> ObjectDatabase::remove(std::span<const ObjectId> objects) {
-  return changeObjects(
+  return changeCatalogue(
       *connection_, [&](ObjectRows& rows) { return rows.read(objects); },
       [&](CatalogueModel& model) { return model.remove(objects); });
 }
 
 Result<void> ObjectDatabase::restore(std::span<const ObjectId> objects) {
-  return changeObjects(
+  return changeCatalogue(
       *connection_,
       [&](ObjectRows& rows) -> Result<void> {
         SCANTROVE_TRY(rows.read(objects));
@@ -315,7 +311,7 @@ Result<void> ObjectDatabase::restore(std::span<const ObjectId> objects) {
 }
 
 Result<bool> ObjectDatabase::withdraw(ObjectId made) {
-  return changeObjects(
+  return changeCatalogue(
       *connection_,
       [&](ObjectRows& rows) -> Result<void> {
         SCANTROVE_TRY(rows.read(made));

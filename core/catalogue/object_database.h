@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/catalogue/catalogue_change.h"
+#include "core/catalogue/catalogue_classes.h"
 #include "core/catalogue/catalogue_model.h"
 #include "core/catalogue/catalogue_sessions.h"
 #include "core/catalogue/object_record.h"
@@ -51,6 +52,7 @@ class ObjectDatabase {
 
   [[nodiscard]] CatalogueSessions& sessions() { return sessions_; }
   [[nodiscard]] ViewStore& views() { return views_; }
+  [[nodiscard]] CatalogueClasses& classes() { return classes_; }
 
   [[nodiscard]] Result<std::vector<ObjectRecord>> objects();
   [[nodiscard]] Result<ObjectRecord> object(ObjectId id);
@@ -58,7 +60,7 @@ class ObjectDatabase {
   [[nodiscard]] Result<ObjectId> findByName(const std::string& name);
   /// CatalogueModel::mergeRoot(). Error: there never was such an object.
   [[nodiscard]] Result<ObjectId> mergeRoot(ObjectId id);
-  /// The states of all objects, including hidden ones.
+  /// The states of all objects and classes, including hidden ones.
   [[nodiscard]] Result<CatalogueModel> model();
 
   /// The newest row of `events`, where changesAfter continues; 0: none.
@@ -82,7 +84,8 @@ class ObjectDatabase {
   // Operations of CatalogueModel.
   Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::user);
   Result<void> setConfirmed(std::span<const ObjectId> objects, bool confirmed);
-  [[nodiscard]] Result<ObjectNaming> nameByUser(ObjectId id, const std::string& name);
+  [[nodiscard]] Result<ObjectNaming> nameByUser(ObjectId id, const std::string& name,
+                                                const std::string& class_name = {});
   [[nodiscard]] Result<bool> revertNaming(const ObjectNaming& naming);
   /// `check` as in addView.
   [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects,
@@ -104,7 +107,9 @@ class ObjectDatabase {
   std::unique_ptr<DatabaseConnection> connection_;
   CatalogueSessions sessions_;
   ViewStore views_;
+  CatalogueClasses classes_;
   bool has_identity_;
+  bool has_classes_;
 };
 
 }  // namespace scantrove

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/catalogue/object_class.h"
 #include "core/catalogue/view_descriptor.h"
 
 namespace scantrove {
@@ -46,7 +47,8 @@ struct ObjectRecord {
   int views = 0;
   std::int64_t first_session = 0;
   std::string first_session_name;
-  std::string created;  ///< ISO 8601, UTC
+  std::string created;                 ///< ISO 8601, UTC
+  Classification classification = {};  ///< as stored: see ClassTable::rootOf()
 };
 
 /// The state of an object in CatalogueModel.
@@ -57,6 +59,7 @@ struct ObjectState {
   bool confirmed = false;
   bool hidden = false;        ///< deleted, or merged into another one
   ObjectId merged_into = {};  ///< none: not merged
+  Classification classification = {};
 
   bool operator==(const ObjectState&) const = default;
 };
@@ -77,7 +80,16 @@ struct MergeRoot {
 struct ObjectMerge {
   ObjectId into;
   std::vector<ObjectId> from;
-  bool has_confirmed = false;  ///< `into` was confirmed because one of `from` was
+  bool has_confirmed = false;                     ///< `into` was confirmed because one of `from` was
+  std::optional<Reclassified> reclassified = {};  ///< `into` had no class, and took that of one of `from`
+};
+
+/// What a user calls an object.
+struct GivenName {
+  std::string name;
+  std::string class_name = {};  ///< empty: none is given
+
+  bool operator==(const GivenName&) const = default;
 };
 
 /// The effect of a user's naming, to undo it.
@@ -89,6 +101,8 @@ struct ObjectNaming {
   bool earlier_confirmed = false;
   std::optional<ObjectMerge> merge =
       {};  ///< set if an object of that name existed: the named one is merged into it
+  std::optional<Reclassified> reclassified = {};  ///< the naming gave `object` another class
+  ClassId made_class = {};                        ///< the class was made for it
 };
 
 /// The position of an object in a view.

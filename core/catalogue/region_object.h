@@ -17,8 +17,16 @@ struct RegionObject {
   NamedBy named_by = NamedBy::program;
   bool confirmed = false;
   bool is_merged = false;  ///< `object` differs from the object that the region was identified as
+  ClassId class_id = {};   ///< its merge root; none: not classified
+  std::string class_name = {};
   bool operator==(const RegionObject&) const = default;
 };
+
+/// `object_class`: null: not classified.
+inline void setClass(RegionObject& object, const ObjectClass* object_class) {
+  object.class_id = object_class != nullptr ? object_class->id : ClassId{};
+  object.class_name = object_class != nullptr ? object_class->name : std::string();
+}
 
 /// For the object `id`; empty: the catalogue never had it.
 [[nodiscard]] inline RegionObject regionObjectOf(const CatalogueModel& catalogue, ObjectId id) {
@@ -26,7 +34,9 @@ struct RegionObject {
   if (catalogue.find(id) == nullptr) return {};
   const ObjectState* root = catalogue.find(catalogue.mergeRoot(id));
   if (root == nullptr) return {.state = State::deleted};
-  return {State::known, root->id, root->name, root->named_by, root->confirmed, root->id != id};
+  RegionObject object{State::known, root->id, root->name, root->named_by, root->confirmed, root->id != id};
+  setClass(object, catalogue.classOf(root->classification));
+  return object;
 }
 
 /// Whether a region of `object` that a user names is another thing: users gave another name to one of the

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/catalogue/class_json.h"
+
 namespace scantrove {
 namespace {
 
@@ -17,10 +19,13 @@ NamingJson namingToJson(const StoredNaming& kept) {
                   {"earlier_object", kept.earlier.value},
                   {"made_object", kept.made.value}};
   if (kept.is_overruled) json["overruled"] = true;
+  if (naming.reclassified) json["class"] = reclassifiedToJson(*naming.reclassified);
+  if (naming.made_class) json["made_class"] = naming.made_class.value;
   if (!naming.merge) return json;
   json["merged"] = NamingJson::array();
   for (const ObjectId from : naming.merge->from) json["merged"].push_back(from.value);
   json["merge_confirmed"] = naming.merge->has_confirmed;
+  if (naming.merge->reclassified) json["merge_class"] = reclassifiedToJson(*naming.merge->reclassified);
   return json;
 }
 
@@ -35,8 +40,11 @@ StoredNaming namingFromJson(const NamingJson& json) {
   kept.earlier = idAt("earlier_object");
   kept.made = idAt("made_object");
   kept.is_overruled = json.value("overruled", false);
+  if (json.contains("class")) kept.naming.reclassified = reclassifiedFromJson(json.at("class"));
+  kept.naming.made_class = ClassId{json.value("made_class", std::uint32_t{0})};
   if (!json.contains("merged")) return kept;
   ObjectMerge merge{kept.naming.object, {}, json.at("merge_confirmed").get<bool>()};
+  if (json.contains("merge_class")) merge.reclassified = reclassifiedFromJson(json.at("merge_class"));
   for (const NamingJson& from : json.at("merged")) merge.from.push_back(ObjectId{from.get<std::uint32_t>()});
   if (!merge.from.empty()) kept.naming.merge = merge;
   return kept;

@@ -24,7 +24,10 @@ RegionObject CollectedObjects::describe(RegionId region) const {
   if (known == nullptr) return {.state = object ? RegionObject::State::deleted : RegionObject::State::none};
   const ObjectId id = catalogue_.idOf(known->id);
   if (!id) return {};  // not stored yet
-  return {RegionObject::State::known, id, known->name, known->named_by, known->confirmed, root != object};
+  RegionObject described{
+      RegionObject::State::known, id, known->name, known->named_by, known->confirmed, root != object};
+  setClass(described, catalogue_.model().classOf(known->classification));
+  return described;
 }
 
 std::vector<CollectedObject> CollectedObjects::list() const {

@@ -15,9 +15,10 @@
 namespace scantrove {
 namespace {
 
-constexpr std::uint32_t kMemoryVersion = 3;
+constexpr std::uint32_t kMemoryVersion = 4;
 constexpr std::uint32_t kWithQuality = 2;     ///< first version with StoredView::quality
 constexpr std::uint32_t kWithIntrinsics = 3;  ///< first version with StoredView::intrinsics
+constexpr std::uint32_t kWithClasses = 4;     ///< first version with GivenName::class_name
 constexpr int kLargestImageSide = 1 << 16;    // of an image
 
 // Each record is described once, in describe(): writing and reading visit its fields in that order.
@@ -25,6 +26,11 @@ constexpr int kLargestImageSide = 1 << 16;    // of an image
 template <class T, class Record>
 concept SameRecord = std::same_as<std::remove_const_t<T>, Record>;
 
+template <class Archive, SameRecord<GivenName> T>
+void describe(Archive& archive, T& given) {
+  archive(given.name);
+  if (archive.version() >= kWithClasses) archive(given.class_name);
+}
 template <class Archive, SameRecord<ObjectTrack> T>
 void describe(Archive& archive, T& track) {
   archive(track.centroid_world, track.size_m, track.last_frame, track.frames_empty, track.views);

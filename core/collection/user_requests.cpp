@@ -9,11 +9,22 @@
 
 namespace scantrove {
 
-void UserRequests::request(RegionId region, const std::string& name) {
+void UserRequests::request(RegionId region, const GivenName& given) {
   if (tracks_.existingObjectOf(region)) return cancel(region);
   tracks_.bind({region}, {});
-  const Result<std::string> checked = checkedLabelName(name);
-  state_.pending[region] = checked ? *checked : std::string();
+  const Result<std::string> checked = checkedLabelName(given.name);
+  state_.pending[region] = checked ? GivenName{*checked, given.class_name} : GivenName();
+}
+
+GivenName UserRequests::withValidClass(GivenName given) {
+  if (given.class_name.empty()) return given;
+  const Result<std::string> checked = checkedLabelName(given.class_name);
+  if (!checked)
+    refusals_.push_back(
+        {"The catalogue has no class of the name that the region got. " + checked.error().what,
+         checked.error().advice});
+  given.class_name = checked ? *checked : std::string();
+  return given;
 }
 
 void UserRequests::cancel(RegionId region) { state_.pending.erase(region); }
@@ -21,14 +32,14 @@ void UserRequests::cancel(RegionId region) { state_.pending.erase(region); }
 bool UserRequests::isRequested(const RegionSet& regions) const {
   return std::ranges::any_of(state_.pending, [&](const auto& request) {
     // A name belongs to the region alone.
-    return regions.contains(request.first) && (request.second.empty() || regions.size() == 1);
+    return regions.contains(request.first) && (request.second.name.empty() || regions.size() == 1);
   });
 }
 
 const std::string* UserRequests::requestedName(const Candidate& candidate) const {
   if (candidate.regions.size() != 1) return nullptr;
   const auto found = state_.pending.find(*candidate.regions.begin());
-  return found == state_.pending.end() ? nullptr : &found->second;
+  return found == state_.pending.end() ? nullptr : &found->second.name;
 }
 
 bool UserRequests::isExcluded(RegionId region, ObjectId object) const {
@@ -57,20 +68,20 @@ std::vector<std::string> UserRequests::namesOfOthers(RegionId region) const {
   return others;
 }
 
-void UserRequests::name(RegionId region, const std::string& name) { applyName(region, name, 0); }
+void UserRequests::name(RegionId region, const GivenName& given) { applyName(region, given, 0); }
 
-void UserRequests::redoName(RegionId region, const std::string& name) {
-  const Result<std::string> checked = checkedLabelName(name);
+void UserRequests::redoName(RegionId region, const GivenName& given) {
+  const Result<std::string> checked = checkedLabelName(given.name);
   const auto newest = std::find_if(undone_.rbegin(), undone_.rend(), [&](const Naming& naming) {
     return naming.region == region && checked && naming.name == *checked;
   });
   const int again = newest == undone_.rend() ? 0 : newest->number;
   if (again != 0) undone_.erase(std::next(newest).base());
-  applyName(region, name, again);
+  applyName(region, given, again);
 }
 
-void UserRequests::applyName(RegionId region, const std::string& name, int again) {
-  const Result<std::string> checked = checkedLabelName(name);
+void UserRequests::applyName(RegionId region, const GivenName& given, int again) {
+  const Result<std::string> checked = checkedLabelName(given.name);
   if (!checked) {
     refusals_.push_back(
         {"The catalogue has no object of the name that the region got. " + checked.error().what,
@@ -85,8 +96,9 @@ void UserRequests::applyName(RegionId region, const std::string& name, int again
     return;
   }
   namings_.push_back({++last_naming_, region, *checked, {}, {}});
-  catalogue_.name(object, *checked);
-  writer_.name(last_naming_, object, *checked, again);
+  const GivenName valid = withValidClass({*checked, given.class_name});
+  catalogue_.name(object, valid);
+  writer_.name(last_naming_, object, valid, again);
 }
 
 bool UserRequests::hasNamed(RegionId region, const std::string& name) const {
@@ -172,7 +184,8 @@ void UserRequests::complete(const Candidate& candidate, ObjectId object, MadeFor
   for (const RegionId region : candidate.regions) {
     const auto found = state_.pending.find(region);
     if (found == state_.pending.end()) continue;
-    const std::string name = found->second;
+    const GivenName given = found->second;
+    const std::string& name = given.name;
     if (!name.empty() && candidate.regions.size() > 1) continue;  // until the region is seen alone
     state_.pending.erase(found);
     state_.requested.insert(object);
@@ -183,8 +196,9 @@ void UserRequests::complete(const Candidate& candidate, ObjectId object, MadeFor
     if (name.empty() && !made_for_it) continue;
     namings_.push_back({++last_naming_, region, name, earlier, made_for_it});
     if (name.empty()) continue;
-    catalogue_.name(object, name);
-    writer_.name(last_naming_, object, name);
+    const GivenName valid = withValidClass(given);
+    catalogue_.name(object, valid);
+    writer_.name(last_naming_, object, valid);
   }
 }
 

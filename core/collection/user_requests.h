@@ -22,7 +22,7 @@ class UserRequests {
  public:
   /// The part that a session stores.
   struct State {
-    std::map<RegionId, std::string> pending;   ///< regions that wait to become objects; names, or empty
+    std::map<RegionId, GivenName> pending;     ///< regions that wait to become objects; names, or empty
     std::map<RegionId, ObjectId> not_objects;  ///< a user said that the region is not this object
     std::set<ObjectId> requested;              ///< objects added by request
   };
@@ -35,18 +35,19 @@ class UserRequests {
   // Edits of users.
 
   /// The region is an object. If it is none yet, it is added when it is seen next, complete or not, with
-  /// the `name` if there is one.
-  void request(RegionId region, const std::string& name);
+  /// the name if there is one.
+  void request(RegionId region, const GivenName& given);
   /// The region is no object, or its request is cancelled.
   void cancel(RegionId region);
   /// Regions with a pending request.
-  [[nodiscard]] const std::map<RegionId, std::string>& pending() const { return state_.pending; }
+  [[nodiscard]] const std::map<RegionId, GivenName>& pending() const { return state_.pending; }
 
   /// Names the object of the region, which confirms it. If the catalogue has another object of that name,
-  /// the two are merged. A region that is no object becomes one only by request().
-  void name(RegionId region, const std::string& name);
+  /// the two are merged. The object gets the given class, which is made if there is none; one that is no
+  /// valid name is left out (takeRefusal). A region that is no object becomes one only by request().
+  void name(RegionId region, const GivenName& given);
   /// Redoes an undone name. Changes that others made to the object meanwhile stay.
-  void redoName(RegionId region, const std::string& name);
+  void redoName(RegionId region, const GivenName& given);
   /// Undoes the newest such name() in the catalogue, unless somebody has renamed the object since.
   void undoName(RegionId region, const std::string& name);
   /// Undoes that the region is an object: removes an object that was made for the request.
@@ -98,7 +99,9 @@ class UserRequests {
   };
   using Namings = std::vector<Naming>;
 
-  void applyName(RegionId region, const std::string& name, int again);
+  void applyName(RegionId region, const GivenName& given, int again);
+  /// Without a class that is not valid; the catalogue refuses that.
+  [[nodiscard]] GivenName withValidClass(GivenName given);
   /// The names that users gave the other regions of its object.
   [[nodiscard]] std::vector<std::string> namesOfOthers(RegionId region) const;
   [[nodiscard]] Namings::iterator newest(RegionId region, const std::string& name);

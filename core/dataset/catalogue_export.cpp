@@ -68,9 +68,16 @@ ExportJson viewToJson(const ObjectView& view, const std::map<std::int64_t, Intri
   return json;
 }
 
-ExportJson objectToJson(const ObjectRecord& object, const std::string& folder, std::size_t views) {
+ExportJson objectToJson(const ObjectRecord& object, const CatalogueModel& catalogue,
+                        const std::string& folder, std::size_t views) {
+  const ObjectClass* own = catalogue.classOf(object.classification);
+  ExportJson answers = ExportJson::object();
+  for (const auto& [name, value] : catalogue.answersOf(object.classification)) answers[name] = value;
   return {{"id", object.id.value},
           {"name", object.name},
+          {"class", own != nullptr ? ExportJson(own->name) : ExportJson(nullptr)},
+          {"class_id", own != nullptr ? ExportJson(own->id.value) : ExportJson(nullptr)},
+          {"attributes", answers},
           {"folder", folder},
           {"views", views},
           {"named_by_person", object.named_by == NamedBy::user},
@@ -93,6 +100,7 @@ class CatalogueExportJob {
     if (objects->empty())
       return fail("The catalogue " + name + " has no objects: there is nothing to export.");
     SCANTROVE_TRY(moveInto(cameras_, database_.sessions().cameras()));
+    SCANTROVE_TRY(moveInto(model_, database_.model()));
     const int total = static_cast<int>(objects->size());
     ExportJson index = ExportJson::array();
     for (const ObjectRecord& object : *objects) {
@@ -120,7 +128,7 @@ class CatalogueExportJob {
     if (const auto missing = object.views - static_cast<int>(views->size()); missing > 0)
       summary_.skipped.push_back(std::to_string(missing) + " of the views of " + object.name +
                                  " cannot be used and are left out.");
-    index.push_back(objectToJson(object, folder, views->size()));
+    index.push_back(objectToJson(object, model_, folder, views->size()));
     ++summary_.objects;
     return {};
   }
@@ -142,6 +150,7 @@ class CatalogueExportJob {
   ObjectDatabase& database_;
   fs::path folder_;
   std::map<std::int64_t, Intrinsics> cameras_;
+  CatalogueModel model_;
   CatalogueExportSummary summary_;
 };
 

@@ -2,6 +2,7 @@
 #include <ctime>
 #include <opencv2/core.hpp>
 
+#include "core/dataset/category_list.h"
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/region_choice.h"
@@ -22,10 +23,9 @@ std::string dateNow() {
 /// The file under construction.
 class CocoInstances {
  public:
-  explicit CocoInstances(ExportJob& job) : job_(job), classes_(classesOf(job.chosen())) {
-    for (std::size_t i = 0; i < classes_.size(); ++i) {
-      categories_.push_back({{"id", i + 1}, {"name", classes_[i]}, {"supercategory", ""}});
-    }
+  explicit CocoInstances(ExportJob& job) : job_(job), list_(job.scan().classes(), job.chosen()) {
+    for (const DatasetCategory& one : list_.all())
+      categories_.push_back({{"id", one.id}, {"name", one.name}, {"supercategory", one.supercategory}});
   }
 
   Result<void> add(const LabeledImage& image) {
@@ -60,11 +60,10 @@ class CocoInstances {
 
  private:
   void annotate(const LabeledRegion& region, std::size_t image, const cv::Mat& mask, const cv::Rect& box) {
-    const std::string class_name = classOf(region);
     annotations_.push_back(
         {{"id", annotations_.size() + 1},
          {"image_id", image},
-         {"category_id", classIndex(classes_, class_name) + 1},
+         {"category_id", list_.idOf(region)},
          {"segmentation", {{"size", {mask.rows, mask.cols}}, {"counts", encodeRuns(runsOf(mask))}}},
          {"area", cv::countNonZero(mask)},
          {"bbox", {box.x, box.y, box.width, box.height}},
@@ -76,7 +75,7 @@ class CocoInstances {
   }
 
   ExportJob& job_;
-  std::vector<std::string> classes_;
+  CategoryList list_;
   ExportJson images_ = ExportJson::array(), annotations_ = ExportJson::array(),
              categories_ = ExportJson::array();
 };

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/dataset/category_list.h"
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/mask_outline.h"
@@ -23,7 +24,7 @@ constexpr int kMinForValidation = 5;
 
 /// One instance: an object of the catalogue with all its regions, or a region without object.
 struct Instance {
-  std::string class_name;
+  std::size_t category = 0;  ///< index into CategoryList::all()
   std::vector<std::uint32_t> regions;
 
   /// CV_8UC1, 255 = the instance.
@@ -35,21 +36,21 @@ struct Instance {
 };
 
 /// In the order of their first regions.
-std::vector<Instance> instancesOf(const std::vector<LabeledRegion>& regions) {
+std::vector<Instance> instancesOf(const std::vector<LabeledRegion>& regions, const CategoryList& categories) {
   std::vector<Instance> instances;
   std::map<std::int64_t, std::size_t> of_object;
   for (const LabeledRegion& region : regions) {
     const std::size_t next = instances.size();
     const std::size_t place =
         region.object ? of_object.try_emplace(*region.object, next).first->second : next;
-    if (place == next) instances.push_back({classOf(region), {}});
+    if (place == next) instances.push_back({categories.indexOf(region), {}});
     instances[place].regions.push_back(region.id);
   }
   return instances;
 }
 
 /// One line for each instance: its class, then x and y of the corners as fractions of the image's size.
-std::string yoloLine(int class_index, const std::vector<cv::Point>& outline, const cv::Size& size) {
+std::string yoloLine(std::size_t class_index, const std::vector<cv::Point>& outline, const cv::Size& size) {
   std::string line = std::to_string(class_index);
   for (const cv::Point& point : outline) {
     fmt::format_to(std::back_inserter(line), " {:.6f} {:.6f}", (point.x + kWithinPixel) / size.width,
@@ -62,7 +63,9 @@ std::string yoloLine(int class_index, const std::vector<cv::Point>& outline, con
 class YoloSegments {
  public:
   explicit YoloSegments(ExportJob& job)
-      : job_(job), classes_(classesOf(job.chosen())), instances_(instancesOf(job.chosen())) {}
+      : job_(job),
+        categories_(job.scan().classes(), job.chosen()),
+        instances_(instancesOf(job.chosen(), categories_)) {}
 
   Result<void> chooseValidation() {
     const auto frames = framesToExport(job_, true);
@@ -84,7 +87,7 @@ class YoloSegments {
       const cv::Mat mask = instance.maskIn(image);
       const auto outline = outlineOf(mask);
       if (outline.empty()) continue;
-      lines += yoloLine(classIndex(classes_, instance.class_name), outline, mask.size());
+      lines += yoloLine(instance.category, outline, mask.size());
       ++job_.summary().annotations;
     }
     return job_.write("labels/" + part + image.stem + ".txt", lines);
@@ -94,15 +97,15 @@ class YoloSegments {
     std::string yaml = "# " + onOneLine("Scantrove: " + job_.scan().name()) +
                        "\ntrain: images/train\nval: images/" +
                        (has_validation_ ? "val" : "train  # too few images for others") + "\nnames:\n";
-    for (std::size_t i = 0; i < classes_.size(); ++i)
-      yaml += "  " + std::to_string(i) + ": " + yamlQuoted(classes_[i]) + "\n";
+    for (std::size_t i = 0; i < categories_.all().size(); ++i)
+      yaml += "  " + std::to_string(i) + ": " + yamlQuoted(categories_.all()[i].name) + "\n";
     SCANTROVE_TRY(job_.write("data.yaml", yaml));
     return job_.write("labels.json", jsonByLines(legendOf(job_.chosen(), job_.scan().origin())));
   }
 
  private:
   ExportJob& job_;
-  std::vector<std::string> classes_;
+  CategoryList categories_;
   std::vector<Instance> instances_;
   std::set<int> training_;
   bool has_validation_ = false;

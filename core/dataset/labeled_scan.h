@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/base/stamped_pose.h"
 #include "core/capture/intrinsics.h"
+#include "core/catalogue/object_class.h"
 
 namespace scantrove {
 
@@ -20,6 +21,7 @@ struct LabeledRegion {
   std::uint32_t id = 0;                ///< never 0
   std::string name;                    ///< as typed: any UTF-8, slashes, quotes, line ends; empty: none
   std::string category;                ///< as typed; empty: none
+  ClassId class_id = {};               ///< of `category` in the catalogue; none: it has no such class
   std::optional<std::int64_t> object;  ///< in the catalogue
   bool background = false;             ///< wall, floor, table
   bool rejected = false;               ///< "not an object"
@@ -80,6 +82,8 @@ class LabeledScan {
   [[nodiscard]] virtual Eigen::Vector3d origin() const { return Eigen::Vector3d::Zero(); }
   /// All regions, in any order.
   [[nodiscard]] virtual Result<std::vector<LabeledRegion>> regions() = 0;
+  /// All classes of the catalogue, hidden ones too; empty: it has none. After regions().
+  [[nodiscard]] virtual std::vector<ObjectClass> classes() { return {}; }
   /// Frames with a pose, in order of time: key frames, or all stored frames.
   [[nodiscard]] virtual Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) = 0;
   /// The colour image of the key frame with `index`: CV_8UC3, BGR, of the size of K_color.

@@ -49,18 +49,6 @@ std::string classOf(const LabeledRegion& region) {
   return region.name.empty() ? kindOf(region) : validUtf8(region.name);
 }
 
-std::vector<std::string> classesOf(const std::vector<LabeledRegion>& regions) {
-  std::vector<std::string> classes;
-  for (const LabeledRegion& region : regions) classes.push_back(classOf(region));
-  std::sort(classes.begin(), classes.end());
-  classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
-  return classes;
-}
-
-int classIndex(const std::vector<std::string>& classes, const std::string& name) {
-  return static_cast<int>(std::lower_bound(classes.begin(), classes.end(), name) - classes.begin());
-}
-
 ExportJson legendOf(const std::vector<LabeledRegion>& regions, const Eigen::Vector3d& origin) {
   ExportJson legend = ExportJson::object();
   for (const LabeledRegion& region : regions) {
@@ -72,6 +60,7 @@ ExportJson legendOf(const std::vector<LabeledRegion>& regions, const Eigen::Vect
         {"region", region.id},
         {"name", textOrNull(region.name)},
         {"category", textOrNull(region.category)},
+        {"category_id", region.class_id ? ExportJson(region.class_id.value) : ExportJson(nullptr)},
         {"object", region.object ? ExportJson(*region.object) : ExportJson(nullptr)},
         {"confirmed", region.confirmed},
         {"background", region.background},

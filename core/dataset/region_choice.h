@@ -19,15 +19,9 @@ namespace scantrove {
 /// The class of a region: its category, else displayName() without region numbers. Valid UTF-8.
 [[nodiscard]] std::string classOf(const LabeledRegion& region);
 
-/// Classes of `regions` without duplicates, in alphabetical order.
-[[nodiscard]] std::vector<std::string> classesOf(const std::vector<LabeledRegion>& regions);
-
-/// Index of `name` in `classes`, which must contain it.
-[[nodiscard]] int classIndex(const std::vector<std::string>& classes, const std::string& name);
-
-/// `{"<region id>": {color, region, name, category, object, confirmed, background, rejected, voxels,
-/// centroid_m, box_m}}`; colours as in the program's views; unknown values are null. `origin`:
-/// LabeledScan::origin().
+/// `{"<region id>": {color, region, name, category, category_id, object, confirmed, background, rejected,
+/// voxels, centroid_m, box_m}}`; colours as in the program's views; unknown values are null; category_id is
+/// that of the catalogue. `origin`: LabeledScan::origin().
 [[nodiscard]] ExportJson legendOf(const std::vector<LabeledRegion>& regions, const Eigen::Vector3d& origin);
 
 }  // namespace scantrove

@@ -47,6 +47,20 @@ UserLabel userLabelOf(const RegionNote& note) {
   return note.background || note.rejected ? UserLabel::background : UserLabel::nothing;
 }
 
+/// The note of a region that another one joined: a name or a category that it lacks comes from there.
+RegionNote joinedNote(const RegionNote& into, const RegionNote& from) {
+  if (into == RegionNote{}) return from;
+  RegionNote note = into;
+  if (note.background || note.rejected || from.background || from.rejected) return note;
+  if (note.name.empty()) {
+    note.name = from.name;
+    if (!from.category.empty()) note.category = from.category;
+  } else if (note.category.empty()) {
+    note.category = from.category;
+  }
+  return note;
+}
+
 }  // namespace
 
 Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& given, const LabelingParams& params) {
@@ -128,7 +142,7 @@ Result<void> RegionEditor::join(Work& work, const std::vector<RegionId>& regions
   const RegionId into = different.front();
   for (const RegionId from : std::span(different).subspan(1)) {
     const FragmentId a = largestOf(table_.fragmentsOf(into)), b = largestOf(table_.fragmentsOf(from));
-    if (notes_.of(into) == RegionNote{}) write(work, into, notes_.of(from));
+    write(work, into, joinedNote(notes_.of(into), notes_.of(from)));
     table_.join(into, from);
     work.outcome.events.joined.emplace_back(into, from);
     constrain(work, a, b, LinkConstraint::must_link);

@@ -33,10 +33,10 @@ std::vector<Candidate> candidatesFor(ObjectCollector& collector, const FrameResu
 void addRequested(const ObjectCollector& collector, const DiscoveryInput& input, int least_points,
                   std::vector<Candidate>& candidates) {
   const auto least_here = static_cast<int>(least_points * input.view.K.pixelScale());
-  for (const auto& [region, name] : collector.requests().pending()) {
+  for (const auto& [region, given] : collector.requests().pending()) {
     // A name applies to the region alone; a click may mean a set that contains it.
     const bool is_found =
-        std::ranges::any_of(candidates, [one = region, is_any = name.empty()](const Candidate& other) {
+        std::ranges::any_of(candidates, [one = region, is_any = given.name.empty()](const Candidate& other) {
           return other.regions == RegionSet{one} || (is_any && other.regions.contains(one));
         });
     if (is_found) continue;

@@ -65,17 +65,18 @@ void ScanObjects::applyEdit(const RegionEditor::Outcome& outcome, EditDirection 
 }
 
 void ScanObjects::applyNames(const Operation& operation, EditDirection direction) {
+  const GivenName given{operation.name, operation.category};
   if (direction == EditDirection::done) {
-    for (const RegionId region : operation.regions) collector_->requests().name(region, operation.name);
+    for (const RegionId region : operation.regions) collector_->requests().name(region, given);
   } else if (direction == EditDirection::redone) {
-    for (const RegionId region : operation.regions) collector_->requests().redoName(region, operation.name);
+    for (const RegionId region : operation.regions) collector_->requests().redoName(region, given);
   } else {
     for (auto region = operation.regions.rbegin(); region != operation.regions.rend(); ++region) {
       collector_->requests().undoName(*region, operation.name);
       // The previous name may have waited for the object until now.
-      const std::string& name = pipeline_.labels().editor().notes().of(*region).name;
-      if (!name.empty() && !collector_->requests().hasNamed(*region, name))
-        collector_->requests().name(*region, name);
+      const RegionNote& note = pipeline_.labels().editor().notes().of(*region);
+      if (!note.name.empty() && !collector_->requests().hasNamed(*region, note.name))
+        collector_->requests().name(*region, {note.name, note.category});
     }
   }
 }
@@ -84,7 +85,7 @@ bool ScanObjects::requestNoted(RegionId region) {
   const RegionNote& note = pipeline_.labels().editor().notes().of(region);
   const bool is_object = (note.object || !note.name.empty()) && !note.background && !note.rejected;
   if (!is_object || pipeline_.labels().table().fragmentsOf(region).empty()) return false;
-  collector_->requests().request(region, note.name);
+  collector_->requests().request(region, {note.name, note.category});
   return true;
 }
 

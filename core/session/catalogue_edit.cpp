@@ -90,7 +90,14 @@ Result<void> CatalogueEdit::name(const CatalogueStep& step) {
     outcome_.refusals.push_back(checked.error());
     return {};
   }
-  Result<std::optional<StoredNaming>> naming = nameObjectOf(step.region, *checked);
+  GivenName given{*checked};
+  if (!step.class_name.empty()) {
+    const Result<std::string> class_name = checkedLabelName(step.class_name);
+    if (class_name) given.class_name = *class_name;
+    if (!class_name)
+      refuse("The catalogue has no such class. " + class_name.error().what, class_name.error().advice);
+  }
+  Result<std::optional<StoredNaming>> naming = nameObjectOf(step.region, given);
   if (!naming) return fail(naming.error());
   if (!*naming) return {};
   std::vector<StoredNaming> namings = kept(namingsKeyOf(step.region));
@@ -182,18 +189,19 @@ Result<bool> CatalogueEdit::revert(RegionId region, const std::string& name) {
   return true;
 }
 
-Result<std::optional<StoredNaming>> CatalogueEdit::nameObjectOf(RegionId region, const std::string& name) {
+Result<std::optional<StoredNaming>> CatalogueEdit::nameObjectOf(RegionId region, const GivenName& given) {
   StoredNaming kept;
   kept.earlier = presentObjectOf(region);
   const Result<CatalogueModel> catalogue = database_.model();
   if (!catalogue) return fail(catalogue.error());
-  if (kept.earlier && !isAnotherObject(*catalogue, kept.earlier, name, namesOfOthers(region, kept.earlier))) {
-    SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.earlier, name)));
+  if (kept.earlier &&
+      !isAnotherObject(*catalogue, kept.earlier, given.name, namesOfOthers(region, kept.earlier))) {
+    SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.earlier, given.name, given.class_name)));
     return kept;
   }
   SCANTROVE_TRY(moveInto(kept.made, objectFor(region)));
   if (!kept.made) return std::nullopt;
-  SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.made, name)));
+  SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.made, given.name, given.class_name)));
   return kept;
 }
 

@@ -44,7 +44,7 @@ class CatalogueEdit {
   [[nodiscard]] Result<bool> revert(RegionId region, const std::string& name);
 
   /// Names the region's object, or a new one made for it.
-  [[nodiscard]] Result<std::optional<StoredNaming>> nameObjectOf(RegionId region, const std::string& name);
+  [[nodiscard]] Result<std::optional<StoredNaming>> nameObjectOf(RegionId region, const GivenName& given);
   /// A new object for the region, or the one that an undo removed. None: refused.
   [[nodiscard]] Result<ObjectId> objectFor(RegionId region);
   [[nodiscard]] Result<ObjectId> makeFromKeyFrames(RegionId region);

@@ -109,6 +109,7 @@ RegionObject OpenSession::regionObjectOf(RegionId region, const RememberedObject
     if (kept == remembered.end() || kept->second.catalogue == metadata(kCatalogueKey)) return {};
     RegionObject known = kept->second.object;
     known.object = {};
+    known.class_id = {};
     return known;
   }
   if (kept != remembered.end()) return kept->second.object;

@@ -93,6 +93,8 @@ class OpenSession {
   [[nodiscard]] const std::map<RegionId, RegionLabel>& labels() const { return labels_; }
   /// Reads the current state of the objects from the catalogue; regions() includes this.
   void readCatalogue();
+  /// All classes of the catalogue, as of its last reading; empty: it is missing.
+  [[nodiscard]] ClassTable classes() const { return catalogue_ ? catalogue_->classes() : ClassTable(); }
   /// Marks the catalogue as missing: labels come from the session's copy.
   [[nodiscard]] const std::optional<Error>& missingCatalogue() const { return missing_catalogue_; }
   /// From now on object ids belong to this catalogue. Ids of another one are set aside, and restored with

@@ -24,7 +24,8 @@ CatalogueStep stepFrom(const PendingJson& json) {
   const auto word = json.at("do").get<std::string>();
   const auto kind = std::ranges::find(kKinds, word, &std::pair<Kind, std::string_view>::second);
   if (kind == kKinds.end()) throw PendingJson::other_error::create(501, "no such step", nullptr);
-  return {kind->first, RegionId{json.at("region").get<std::uint32_t>()}, json.value("name", "")};
+  return {kind->first, RegionId{json.at("region").get<std::uint32_t>()}, json.value("name", ""),
+          json.value("class", "")};
 }
 
 }  // namespace
@@ -58,8 +59,10 @@ std::vector<CatalogueStep> catalogueStepsOf(const Operation& operation, EditDire
       continue;
     }
     const std::string& given = is_removal ? note_of(region).name : operation.name;
+    const std::string& category = is_removal ? note_of(region).category : operation.category;
     if (!given.empty())
-      steps.push_back({direction == EditDirection::redone ? Kind::redo_name : Kind::name, region, given});
+      steps.push_back(
+          {direction == EditDirection::redone ? Kind::redo_name : Kind::name, region, given, category});
   }
   if (is_undone) std::ranges::reverse(steps);
   return steps;
@@ -76,6 +79,7 @@ std::string pendingEditsToJson(const std::vector<PendingEdit>& edits) {
       const auto word =
           std::ranges::find(kKinds, step.kind, &std::pair<Kind, std::string_view>::first)->second;
       steps.push_back({{"do", word}, {"region", step.region.value}, {"name", step.name}});
+      if (!step.class_name.empty()) steps.back()["class"] = step.class_name;
     }
     json.push_back({{"token", edit.token}, {"steps", std::move(steps)}});
   }

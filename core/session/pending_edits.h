@@ -20,6 +20,7 @@ struct CatalogueStep {
   Kind kind = Kind::name;
   RegionId region;
   std::string name = {};
+  std::string class_name = {};  ///< of name and redo_name; empty: none is given
 
   bool operator==(const CatalogueStep&) const = default;
 };

@@ -29,6 +29,10 @@ RegionLabel labelOf(const RegionNote& note, const RegionObject& object, bool is_
       label.name = object.name;
       label.is_named = object.named_by == NamedBy::user;
     }
+    if (object.class_id && (is_of_catalogue || note.category.empty())) {
+      label.category = object.class_name;
+      label.class_id = object.class_id;
+    }
   }
   if (note.background || note.rejected) label.is_object = false;
   return label;
@@ -45,7 +49,7 @@ void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<Region
     const auto of_object = classes.find(label.object);
     const auto object = objects.find(region);
     const bool is_merged = object != objects.end() && object->second.is_merged;
-    if (of_object != classes.end() && (is_merged || label.category.empty()))
+    if (of_object != classes.end() && !label.class_id && (is_merged || label.category.empty()))
       label.category = of_object->second;
   }
 }
@@ -62,6 +66,9 @@ std::string rememberedToText(const RememberedObjects& objects) {
                                           {"deleted", object.state == State::deleted},
                                           {"merged", object.is_merged},
                                           {"catalogue", remembered.catalogue}};
+    if (!object.class_id && object.class_name.empty()) continue;
+    json[std::to_string(region.value)]["class"] = object.class_name;
+    json[std::to_string(region.value)]["class_id"] = object.class_id.value;
   }
   return json.dump(-1, ' ', false, LabelJson::error_handler_t::replace);
 }
@@ -81,6 +88,8 @@ RememberedObjects rememberedFrom(const std::string& text) {
       object.state = json.at("deleted").get<bool>() ? State::deleted : State::known;
       object.is_merged = json.at("merged").get<bool>();
       remembered.catalogue = json.at("catalogue").get<std::string>();
+      object.class_name = json.value("class", "");
+      object.class_id = ClassId{json.value("class_id", std::uint32_t{0})};
       objects[RegionId{static_cast<std::uint32_t>(std::stoul(region))}] = std::move(remembered);
     }
   } catch (const std::exception&) {

@@ -17,10 +17,11 @@ struct RegionLabel {
   bool confirmed = false;
   bool background = false;
   bool rejected = false;
+  ClassId class_id = {};  ///< of `category` in the catalogue; none: only the session has it
 };
 
-/// A user's name in the catalogue takes precedence over the session's, unless the catalogue never received
-/// that (`is_session_only`). A deleted entry is no object.
+/// A user's name and the class in the catalogue take precedence over the session's, unless the catalogue
+/// never received these (`is_session_only`). A deleted entry is no object.
 [[nodiscard]] RegionLabel labelOf(const RegionNote& note, const RegionObject& object,
                                   bool is_session_only = false);
 
@@ -31,7 +32,7 @@ struct RegionLabel {
   return pixels.isSupport() && note == RegionNote{} && !label.is_object;
 }
 
-/// Regions merged into an object get the category of its other regions.
+/// Regions merged into an object without class in the catalogue get the category of its other regions.
 void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<RegionId, RegionObject>& objects);
 
 /// A session's copy of its regions' objects, used when the catalogue is missing.

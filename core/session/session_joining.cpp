@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/base/first_error.h"
+#include "core/catalogue/class_json.h"
 #include "core/catalogue/object_database.h"
 #include "core/session/open_session.h"
 #include "core/session/pending_edits.h"
@@ -33,28 +33,21 @@ std::optional<JoinedObjects::State> joinStateFrom(const std::string& word) {
 
 ObjectId objectFrom(const JoinJson& json) { return ObjectId{json.get<std::uint32_t>()}; }
 
-/// The merge of the two; none: they are merged already, one was deleted, or users settled both.
-Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a, ObjectId b,
-                                            FirstError& refusals) {
+/// The merge of the two; none: they are merged already, or one was deleted. Users joined the regions, so it
+/// does not matter that they named both objects or separated them before.
+Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a, ObjectId b) {
   const Result<CatalogueModel> catalogue = database.model();
   if (!catalogue) return fail(catalogue.error());
   const std::array<ObjectId, 2> roots{catalogue->mergeRoot(a), catalogue->mergeRoot(b)};
   if (!roots[0] || !roots[1] || roots[0] == roots[1]) return std::nullopt;
-  if (!catalogue->mayMerge(roots[0], roots[1])) {
-    refusals.note(fail("The objects " + catalogue->find(roots[0])->name + " and " +
-                           catalogue->find(roots[1])->name +
-                           " stay two in the catalogue, because of a user's earlier edits.",
-                       "'scantrove objects merge' makes one of them."));
-    return std::nullopt;
-  }
   return database.merge(roots).map([](ObjectMerge merge) { return std::optional(std::move(merge)); });
 }
 
 /// Executes the pending part of one operation in the catalogue; returns the data to store.
-Result<std::string> carryOut(ObjectDatabase& database, JoinedObjects joined, FirstError& refusals) {
+Result<std::string> carryOut(ObjectDatabase& database, JoinedObjects joined) {
   if (joined.state == JoinedObjects::State::to_merge) {
     for (const auto& [a, b] : std::exchange(joined.pairs, {})) {
-      Result<std::optional<ObjectMerge>> merge = mergeTwo(database, a, b, refusals);
+      Result<std::optional<ObjectMerge>> merge = mergeTwo(database, a, b);
       if (!merge) return fail(merge.error());
       if (*merge) joined.merges.push_back(std::move(**merge));
     }
@@ -86,8 +79,9 @@ std::string joinedToText(const JoinedObjects& joined) {
   for (const ObjectMerge& merge : joined.merges) {
     JoinJson from = JoinJson::array();
     for (const ObjectId object : merge.from) from.push_back(object.value);
-    json["merges"].push_back(
-        {{"into", merge.into.value}, {"from", from}, {"confirmed", merge.has_confirmed}});
+    JoinJson one{{"into", merge.into.value}, {"from", from}, {"confirmed", merge.has_confirmed}};
+    if (merge.reclassified) one["class"] = reclassifiedToJson(*merge.reclassified);
+    json["merges"].push_back(std::move(one));
   }
   return json.dump();
 }
@@ -106,6 +100,7 @@ JoinedObjects joinedFrom(const std::string& text) {
     for (const JoinJson& one : json.at("merges")) {
       ObjectMerge merge{objectFrom(one.at("into")), {}, one.at("confirmed").get<bool>()};
       for (const JoinJson& from : one.at("from")) merge.from.push_back(objectFrom(from));
+      if (one.contains("class")) merge.reclassified = reclassifiedFromJson(one.at("class"));
       if (!merge.from.empty()) joined.merges.push_back(std::move(merge));
     }
     return joined;
@@ -155,7 +150,6 @@ bool areJoinsPending(const OpenSession& session) {
 }
 
 Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database) {
-  FirstError refusals;
   for (const OperationLog::Entry& entry : session.history().entries()) {
     const std::string key = joinKeyOf(entry.number);
     const JoinedObjects joined = joinedFrom(session.metadata(key));
@@ -163,13 +157,12 @@ Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database) 
     // Sessions of earlier versions stored no token.
     const std::string token = (joined.token.empty() ? newToken() : joined.token) +
                               (joined.state == JoinedObjects::State::to_unmerge ? " undone" : "");
-    const Result<std::string> left =
-        database.applyOnce(token, [&] { return carryOut(database, joined, refusals); });
+    const Result<std::string> left = database.applyOnce(token, [&] { return carryOut(database, joined); });
     if (!left) return fail(left.error());
     session.setMetadata(key, *left);
     SCANTROVE_TRY(session.saveMetadata());
   }
-  return refusals.result();
+  return {};
 }
 
 }  // namespace scantrove

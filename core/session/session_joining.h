@@ -39,9 +39,9 @@ struct JoinedObjects {
 /// Whether joins or undone joins are still pending in the catalogue.
 [[nodiscard]] bool areJoinsPending(const OpenSession& session);
 
-/// Executes them, each operation once: two objects are merged, as in a running scan, unless users settled
-/// both. The session's thread. Error: the catalogue failed, and the next call tries again; or users settled
-/// both.
+/// Executes them, each operation once: two objects are merged, also if users settled both, because users
+/// joined their regions. CatalogueModel::merge() says which one remains. The session's thread. Error: the
+/// catalogue failed, and the next call tries again.
 [[nodiscard]] Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database);
 
 }  // namespace scantrove

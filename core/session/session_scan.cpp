@@ -50,6 +50,7 @@ Result<std::vector<LabeledRegion>> SessionScan::regions() {
     region.id = summary.region.value;
     region.name = summary.label.name;
     region.category = summary.label.category;
+    region.class_id = summary.label.class_id;
     if (summary.label.object) region.object = summary.label.object.value;
     region.confirmed = summary.label.confirmed;
     region.background = summary.label.background;
@@ -60,6 +61,13 @@ Result<std::vector<LabeledRegion>> SessionScan::regions() {
     regions.push_back(std::move(region));
   }
   return regions;
+}
+
+std::vector<ObjectClass> SessionScan::classes() {
+  std::vector<ObjectClass> list;
+  const ClassTable classes = session_.classes();
+  for (const auto& [id, one] : classes.all()) list.push_back(one);
+  return list;
 }
 
 Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {

@@ -18,6 +18,7 @@ class SessionScan final : public LabeledScan {
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] Eigen::Vector3d origin() const override { return session_.setup().origin_m; }
   [[nodiscard]] Result<std::vector<LabeledRegion>> regions() override;
+  [[nodiscard]] std::vector<ObjectClass> classes() override;
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override;
   [[nodiscard]] Result<cv::Mat> color(int index) override;
   [[nodiscard]] Result<cv::Mat> depth(int index) override;

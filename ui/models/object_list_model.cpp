@@ -106,6 +106,7 @@ void ObjectListModel::readAll() {
 void ObjectListModel::applyChanges(const CatalogueChanges& changes) {
   std::set<ObjectId> touched;
   for (const CatalogueChange& change : changes.changes) {
+    if (change.of_class) continue;
     touched.insert(change.object());
     if (change.mergeTarget()) touched.insert(change.mergeTarget());
   }
