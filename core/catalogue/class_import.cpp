@@ -71,7 +71,12 @@ class ClassImporter {
 
 Result<ClassImport> importClasses(CatalogueModel& catalogue, std::span<const ClassDraft> list) {
   ClassImporter importer(catalogue);
-  for (const ClassDraft& draft : list) SCANTROVE_TRY(importer.take(draft));
+  // Those without an id come last: they take ids that the list does not give.
+  for (const bool has_id : {true, false}) {
+    for (const ClassDraft& draft : list) {
+      if (bool(draft.id) == has_id) SCANTROVE_TRY(importer.take(draft));
+    }
+  }
   return std::move(importer).result();
 }
 

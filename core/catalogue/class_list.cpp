@@ -84,6 +84,7 @@ Result<ClassDraft> draftFromJson(const ListJson& json, const std::string& file) 
     draft.supercategory = json.at("supercategory").get<std::string>();
   if (!json.contains(kOwnKey)) return draft;
   const ListJson& own = json.at(kOwnKey);
+  static_cast<void>(own.get_ref<const ListJson::object_t&>());
   if (own.contains("color")) {
     const auto text = own.at("color").get<std::string>();
     draft.color = colorFromHex(text);
@@ -113,6 +114,7 @@ Result<std::vector<ClassDraft>> parseJson(std::string_view text, const std::stri
       SCANTROVE_TRY(classes.add(*draft));
     }
   } catch (const ListJson::exception& failure) {
+    if (is_too_deep) return fail(isNoList(file, "its values are nested too deep"));
     return fail(isNoList(file, forTerminal(failure.what(), 200)));
   }
   return std::move(classes).take();

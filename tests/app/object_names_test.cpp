@@ -185,19 +185,58 @@ TEST_F(ObjectNamesTest, JoinedRegionsBecomeOneObject) {
   EXPECT_FALSE(undone[other]["object"].is_null());
 }
 
-TEST_F(ObjectNamesTest, JoinedRegionsStayTwoObjects_WhenAUserNamedBoth) {
-  const std::string one = plainRegions().at(0), other = plainRegions().at(1);
-  name(one, "mug");
-  name(other, "handle");
-  const Json before = objectList();
-  const Finished joined = session({"join", one, other});
+TEST_F(ObjectNamesTest, JoinedRegionsBecomeTheConfirmedObject_WhenAUserNamedBoth) {
+  const std::string body = plainRegions().at(0), rim = plainRegions().at(1);
+  name(body, "mug", "cup");
+  name(rim, "handle");
+  ASSERT_EQ(objects({"confirm", "--undo", "handle"}).exit_code, 0);
+  const Json before = objectList(), object = region(body)["object"];
+  const Finished joined = session({"join", rim, body});  // the wrong one first
   ASSERT_EQ(joined.exit_code, 0);
-  EXPECT_THAT(joined.err, testing::AllOf(HasSubstr("mug"), HasSubstr("handle"), HasSubstr("objects merge")));
-  EXPECT_EQ(objectList(), before);
+  EXPECT_EQ(joined.err, "");
+  EXPECT_EQ(objectList().size(), before.size() - 1) << "the other object is merged away";
+  EXPECT_EQ(region(rim)["object"], object);
+  EXPECT_EQ(region(rim)["name"], "mug");
+  EXPECT_EQ(dataset()[rim]["name"], "mug");
+  EXPECT_EQ(dataset()[rim]["category"], "cup");
   ASSERT_EQ(session({"undo"}).exit_code, 0);
-  Json undone = region(other);
+  EXPECT_EQ(objectList(), before);
+  Json undone = region(rim);
   EXPECT_EQ(undone["name"], "handle");
   EXPECT_FALSE(undone["object"].is_null());
+}
+
+TEST_F(ObjectNamesTest, JoinedRegionsTakeTheClass_WhenTheirObjectHasNone) {
+  const std::string one = plainRegions().at(0), other = plainRegions().at(1);
+  name(one, "blue thing");
+  name(other, "handle", "cup");
+  const Json before = objectList();
+  ASSERT_EQ(session({"join", one, other}).exit_code, 0);
+  EXPECT_EQ(region(one)["name"], "blue thing") << "the older one";
+  EXPECT_EQ(region(one)["category"], "cup");
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
+  EXPECT_EQ(objectList(), before) << "with no class again";
+}
+
+TEST_F(ObjectNamesTest, ClassReachesTheCatalogue_WithUndoAndRedo) {
+  const std::string one = plainRegions().at(0), other = plainRegions().at(1);
+  const auto classes = [&] { return jsonOf(objects({"classes", "list", "--json"})); };
+  EXPECT_TRUE(classes().empty()) << "a scan makes no classes";
+  name(one, "chair", "chair");
+  ASSERT_EQ(session({"name", "--region", other, "--name", "chair 2", "--class", "chair"}).exit_code, 0);
+  ASSERT_EQ(classes().size(), 1U);
+  EXPECT_EQ(classes()[0]["objects"], 2);
+  EXPECT_NE(region(one)["object"], region(other)["object"]) << "two things of one class";
+  ASSERT_EQ(objects({"classes", "rename", "chair", "seat"}).exit_code, 0);
+  EXPECT_EQ(region(one)["category"], "seat");
+  EXPECT_EQ(dataset()[other]["category"], "seat");
+  EXPECT_EQ(dataset()[other]["category_id"], 1);
+  name(one, "red chair");
+  EXPECT_EQ(region(one)["category"], "seat") << "a new name keeps the class";
+  ASSERT_EQ(session({"undo", "--steps", "3"}).exit_code, 0);
+  EXPECT_TRUE(region(one)["category"].is_null() || region(one)["category"] == "");
+  ASSERT_EQ(session({"redo", "--steps", "1"}).exit_code, 0);
+  EXPECT_EQ(region(one)["name"], "chair");
 }
 
 }  // namespace

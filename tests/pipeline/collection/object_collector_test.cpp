@@ -176,7 +176,7 @@ TEST_F(ObjectCollectorTest, RegionIsNoObject_WhenARemnantOfOneIsJoinedToIt) {
 }
 
 TEST_F(ObjectCollectorTest, RequestedObjectFollowsItsRegion_WhenThatIsJoined) {
-  collector_->requests().request(mug_.region, "");
+  collector_->requests().request(mug_.region, {""});
   const ObjectId mug = showFrame({mug_}).added.at(0).id;
   collector_->joinRegions(RegionId{50}, mug_.region, ObjectCollector::JoinedBy::frames);
   EXPECT_EQ(collector_->objects().idOf(RegionId{50}), mug);
@@ -300,7 +300,7 @@ TEST_F(ObjectCollectorTest, IncompleteCandidateIsAdded_WhenAUserRequestsIt) {
   }
   ASSERT_EQ(seen.seen.size(), 1U);
   EXPECT_FALSE(seen.seen[0].object);
-  collector_->requests().request(mug_.region, "");
+  collector_->requests().request(mug_.region, {""});
   seen = showCandidates({part}, {mug_});
   ASSERT_EQ(seen.added.size(), 1U);
   EXPECT_EQ(seen.seen[0].object, seen.added[0].id);

@@ -18,8 +18,8 @@ class UserRequestsTest : public test::ObjectCollectorFixture {
  protected:
   /// Reports a region's new name, as the pipeline does.
   void name(const TableItem& item, const std::string& name) {
-    collector_->requests().name(item.region, name);
-    collector_->requests().request(item.region, name);
+    collector_->requests().name(item.region, {name});
+    collector_->requests().request(item.region, {name});
   }
   /// Reports that the region lost its name.
   void unname(const TableItem& item, const std::string& name) {
@@ -77,7 +77,7 @@ TEST_F(UserRequestsTest, RedoKeepsAnotherName_WhenOthersMergedTheObject) {
   unname(box_, "cup");
   static_cast<void>(showFrame({mug_, box_}));
   EXPECT_EQ(record(mug).name, "mug");
-  collector_->requests().redoName(box_.region, "cup");
+  collector_->requests().redoName(box_.region, {"cup"});
   EXPECT_EQ(showFrame({mug_, box_}).seen[1].name, "mug");
   EXPECT_EQ(record(mug).name, "mug") << "the object merged by others keeps its name";
   EXPECT_EQ(objects().size(), 1U);
@@ -150,7 +150,7 @@ TEST_F(UserRequestsTest, UndoRemovesOnlyObjects_MadeForTheName) {
 }
 
 TEST_F(UserRequestsTest, UndoRemovesTheObject_MadeForTheRequest) {
-  collector_->requests().request(mug_.region, "");
+  collector_->requests().request(mug_.region, {""});
   static_cast<void>(showCandidates({part(mug_)}, {mug_}));
   ASSERT_EQ(objects().size(), 1U);
   ASSERT_EQ(collector_->requests().storedNamings().at(mug_.region).at(0).made, objects()[0].id);
@@ -162,7 +162,7 @@ TEST_F(UserRequestsTest, UndoRemovesTheObject_MadeForTheRequest) {
 TEST_F(UserRequestsTest, NamingsOfAnEarlierScanAreUndone) {
   name(mug_, "mug");
   static_cast<void>(showCandidates({part(mug_)}, {mug_}));
-  collector_->requests().request(box_.region, "");
+  collector_->requests().request(box_.region, {""});
   static_cast<void>(showCandidates({part(box_)}, {box_}));
   ASSERT_EQ(objects().size(), 2U);
   std::map<RegionId, ObjectId> bound;

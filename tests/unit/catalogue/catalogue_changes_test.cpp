@@ -32,6 +32,22 @@ std::string describe(const CatalogueChange& change) {
       return id + " into " + other;
     case Kind::unmerged:
       return id + " out of " + other;
+    case Kind::classified:
+      return id + " has class " + std::to_string(change.after.classification.class_id.value);
+    case Kind::class_added:
+      return "class " + change.of_class->after.name;
+    case Kind::class_edited:
+      return "class " + change.of_class->before.name + " is now " + change.of_class->after.name;
+    case Kind::class_hidden:
+      return "hidden class " + change.of_class->after.name;
+    case Kind::class_restored:
+      return "restored class " + change.of_class->after.name;
+    case Kind::class_merged:
+      return "class " + change.of_class->after.name + " into " +
+             std::to_string(change.of_class->after.merged_into.value);
+    case Kind::class_unmerged:
+      return "class " + change.of_class->after.name + " out of " +
+             std::to_string(change.of_class->before.merged_into.value);
     case Kind::views_discarded:
       break;
   }
@@ -84,6 +100,26 @@ TEST_F(CatalogueChangesTest, ReportsChangesOfOtherConnections) {
   EXPECT_THAT(newChanges(*worker), ElementsAre("removed 1", "removed 2", "restored 2"));
 }
 
+TEST_F(CatalogueChangesTest, ReportsChangesOfClasses) {
+  const auto window = openOrFail(file()), worker = openOrFail(file());
+  const ObjectId chair = worker->addObject(randomView(0))->id;
+  static_cast<void>(newChanges(*window));
+  const ClassId seat = *worker->classes().add({.name = "seat", .supercategory = "furniture"});
+  const ClassId stool = *worker->classes().add({.name = "stool"});
+  ASSERT_TRUE(worker->classes().edit({.id = seat, .name = "chair"}));
+  ASSERT_TRUE(worker->classes().classify({&chair, 1}, stool));
+  const ClassMerge merge = *worker->classes().merge({&stool, 1}, seat);
+  ASSERT_TRUE(worker->classes().unmerge(merge));
+  ASSERT_TRUE(worker->classes().hide({&seat, 1}));
+  ASSERT_TRUE(worker->classes().restore({&seat, 1}));
+  EXPECT_THAT(newChanges(*window), ElementsAre("class seat", "class stool", "class seat is now chair",
+                                               "1 has class 2", "class stool into 1", "class stool out of 1",
+                                               "hidden class chair", "restored class chair"));
+  const CatalogueChanges all = *window->changesAfter(0);
+  EXPECT_EQ(all.changes.back().of_class->after, *window->model()->classes().find(seat)) << "all of it";
+  EXPECT_FALSE(all.changes.back().object());
+}
+
 TEST_F(CatalogueChangesTest, SkipsMalformedEvents) {
   const auto database = openOrFail(file());
   ASSERT_TRUE(database->addObject(randomView(0)));
@@ -91,6 +127,12 @@ TEST_F(CatalogueChangesTest, SkipsMalformedEvents) {
   askSqlite(file(), "INSERT INTO events (created, action, after_json) VALUES ('', 'rename', '{}')");
   askSqlite(file(), "INSERT INTO events (created, action, object, after_json) VALUES ('', 'rename', 1, '[')");
   askSqlite(file(), "INSERT INTO events (created, action, object) VALUES ('', 'merge', 1)");
+  for (const char* json :
+       {"{}", "[", R"({"class": 0, "color": "#000000"})", R"({"class": 3, "color": "red"})"}) {
+    askSqlite(
+        file(),
+        QString("INSERT INTO events (created, action, after_json) VALUES ('', 'class-add', '%1')").arg(json));
+  }
   EXPECT_THAT(newChanges(*database), ElementsAre("added 1", "view 1 of 1"));
   EXPECT_EQ(last_event_, *database->lastEvent());
 }

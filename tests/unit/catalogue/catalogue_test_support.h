@@ -84,4 +84,12 @@ inline std::string askSqlite(const std::string& file, const QString& sql) {
   return answer.toStdString();
 }
 
+/// Changes a catalogue's schema back to version 8, which had no classes.
+inline void forgetClasses(const std::string& file) {
+  for (const char* sql : {"DROP INDEX objects_class", "ALTER TABLE objects DROP COLUMN class",
+                          "ALTER TABLE objects DROP COLUMN attributes", "DROP TABLE classes",
+                          "DELETE FROM schema_migrations WHERE version > 8", "PRAGMA user_version = 8"})
+    askSqlite(file, sql);
+}
+
 }  // namespace scantrove::test

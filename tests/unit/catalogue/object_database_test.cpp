@@ -20,10 +20,10 @@ TEST_F(ObjectDatabaseTest, StartsEmpty) {
   EXPECT_EQ(*database->views().forEachDescriptor(0, [](const StoredDescriptor&) { FAIL(); }), 0);
   EXPECT_FALSE(*database->findByName("Obj_1"));
   EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "wal");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "8");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "9");
   EXPECT_EQ(askSqlite(file(), "SELECT group_concat(name) FROM schema_migrations"),
             "001_initial.sql,002_summaries.sql,003_view_boxes.sql,004_session_cameras.sql,"
-            "005_view_places.sql,006_identity.sql,007_applied_edits.sql,008_view_colors.sql");
+            "005_view_places.sql,006_identity.sql,007_applied_edits.sql,008_view_colors.sql,009_classes.sql");
 }
 
 TEST_F(ObjectDatabaseTest, IdentityIsAPermanentRandomUuid) {
@@ -39,6 +39,7 @@ TEST_F(ObjectDatabaseTest, IdentityIsAPermanentRandomUuid) {
 
 TEST_F(ObjectDatabaseTest, AssignsAnIdentity_WhenAnOlderFileIsOpenedToWrite) {
   openOrFail(file());
+  forgetClasses(file());
   for (const char* sql :
        {"DROP TABLE identity", "DROP TABLE applied_edits", "DROP TABLE view_vectors",
         "DROP INDEX descriptors_without_colors", "ALTER TABLE descriptors DROP COLUMN colors",

@@ -31,6 +31,7 @@ class ViewDescriptorsTest : public CatalogueTest {
   }
   /// Changes the catalogue's schema back to version 1.
   void downgrade() const {
+    forgetClasses(file());
     for (const char* sql : {"DROP TABLE view_vectors",
                             "DROP TABLE identity",
                             "DROP TABLE applied_edits",
@@ -145,6 +146,7 @@ TEST_F(ViewDescriptorsTest, AreComputed_WhenTheCatalogueIsOfVersionOne) {
 
 /// Changes the catalogue's schema back to version 7, which had no colours.
 void forgetColors(const std::string& file) {
+  forgetClasses(file);
   for (const char* sql : {"DROP TABLE view_vectors", "DROP INDEX descriptors_without_colors",
                           "ALTER TABLE descriptors DROP COLUMN colors",
                           "DELETE FROM schema_migrations WHERE version > 7", "PRAGMA user_version = 7"})

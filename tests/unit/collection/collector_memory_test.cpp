@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -37,7 +38,7 @@ CollectorState someState() {
   state.recognizer.returned = {kMug};
   state.recognizer.appeared[kNew][kMug] = 1;
   state.recognizer.comparisons[kNew] = 2;
-  state.requests = {{{kPart, "part"}}, {{kPart, kMug}}, {kNew}};
+  state.requests = {{{kPart, {"part", "cups"}}}, {{kPart, kMug}}, {kNew}};
   state.identities.mismatches[RegionSet{kRegion}] = {kMug, 4, 6};
   state.identities.replaced_by[kMug] = kNew;
   state.identities.seen_together = {{kMug, kNew}};
@@ -60,6 +61,13 @@ CollectorState someState() {
   return state;
 }
 
+/// Removes what version 4 added: the class after the name "part", a size of two words and four letters.
+void removeClass(std::vector<std::uint32_t>& memory) {
+  const auto name = std::ranges::find(memory, std::bit_cast<std::uint32_t>(std::array{'p', 'a', 'r', 't'}));
+  ASSERT_NE(name, memory.end());
+  memory.erase(name + 1, name + 4);
+}
+
 TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
   const std::vector<std::uint32_t> memory = collectorMemory(someState());
   const std::optional<CollectorState> read = collectorStateFrom(memory);
@@ -69,7 +77,7 @@ TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
   EXPECT_EQ(read->tracks.tracks.at(kNew).frames_empty, 2);
   EXPECT_EQ(read->tracks.object_of_region.at(kPart), kMug);
   EXPECT_EQ(read->recognizer.history.attempts(RegionSet{kRegion, kPart}), 3);
-  EXPECT_EQ(read->requests.pending.at(kPart), "part");
+  EXPECT_EQ(read->requests.pending.at(kPart), (GivenName{"part", "cups"}));
   EXPECT_EQ(read->identities.mismatches.at(RegionSet{kRegion}).count, 4);
   ASSERT_EQ(read->views.size(), 1U);
   EXPECT_EQ(read->views[0].box_px, cv::Rect(2, 1, 3, 2));
@@ -89,8 +97,9 @@ TEST(CollectorMemory, StateOfTheFirstVersionIsRead_WithoutTheQualityOfViews) {
   state.views[0].mask = cv::Mat(2, 2, CV_8UC1, cv::Scalar(255));  // whole words
   state.views[0].z_m = cv::Mat(2, 2, CV_32FC1, cv::Scalar(1.5));
   std::vector<std::uint32_t> memory = collectorMemory(state);
-  ASSERT_EQ(memory[0], 3U);
+  ASSERT_EQ(memory[0], 4U);
   memory[0] = 1;
+  removeClass(memory);
   const auto quality = std::ranges::find(memory, std::bit_cast<std::uint32_t>(1234.5F));
   ASSERT_NE(quality, memory.end());
   memory.erase(quality, quality + 10);  // four figures of the quality, six of the intrinsics
@@ -124,6 +133,7 @@ TEST(CollectorMemory, StateOfTheSecondVersionIsRead_WithoutIntrinsicsOfViews) {
   state.views[0].z_m = cv::Mat(2, 2, CV_32FC1, cv::Scalar(1.5));
   std::vector<std::uint32_t> memory = collectorMemory(state);
   memory[0] = 2;
+  removeClass(memory);
   const auto quality = std::ranges::find(memory, std::bit_cast<std::uint32_t>(1234.5F));
   ASSERT_NE(quality, memory.end());
   memory.erase(quality + 4, quality + 10);
@@ -131,6 +141,16 @@ TEST(CollectorMemory, StateOfTheSecondVersionIsRead_WithoutIntrinsicsOfViews) {
   ASSERT_TRUE(read);
   EXPECT_FLOAT_EQ(read->views[0].quality.pixels, 1234.5F);
   EXPECT_FALSE(read->views[0].intrinsics);
+  EXPECT_EQ(read->frame, 77);
+}
+
+TEST(CollectorMemory, StateOfTheThirdVersionIsRead_WithoutClasses) {
+  std::vector<std::uint32_t> memory = collectorMemory(someState());
+  memory[0] = 3;
+  removeClass(memory);
+  const std::optional<CollectorState> read = collectorStateFrom(memory);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->requests.pending.at(kPart), GivenName{"part"});
   EXPECT_EQ(read->frame, 77);
 }
 

@@ -92,6 +92,7 @@ class ScannedScene : public LabeledScan {
   std::string scan_name = "kitchen table";
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of all places and poses, in the recording's world
   std::vector<LabeledRegion> labels = standardLabels();
+  std::vector<ObjectClass> class_list = {};
   MapFaults faults;
   std::set<int> without_color, with_damaged_color, with_damaged_depth;
   double depth_noise_px = 0.08;
@@ -128,6 +129,7 @@ class ScannedScene : public LabeledScan {
   [[nodiscard]] std::string name() const override { return scan_name; }
   [[nodiscard]] Eigen::Vector3d origin() const override { return origin_m; }
   [[nodiscard]] Result<std::vector<LabeledRegion>> regions() override { return labels; }
+  [[nodiscard]] std::vector<ObjectClass> classes() override { return class_list; }
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override {
     std::vector<KeyFrameInfo> infos;
     for (int i = 0; i < frames; ++i) {

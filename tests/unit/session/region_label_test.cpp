@@ -92,9 +92,48 @@ TEST(RegionLabel, MergedRegionsShareTheClassOfTheirObject) {
   EXPECT_EQ(labels[kOther].name, "mug");
 }
 
+TEST(RegionLabel, HasTheClassOfTheCatalogue) {
+  RegionObject object = known(7, "red mug");
+  object.class_id = ClassId{4};
+  object.class_name = "mug";
+  const RegionLabel label = labelOf(noteOf("mug", "cup"), object);
+  EXPECT_EQ(label.category, "mug");
+  EXPECT_EQ(label.class_id, ClassId{4});
+  EXPECT_EQ(labelOf({}, object).category, "mug");
+  EXPECT_EQ(labelOf(noteOf("mug", "cup"), object, true).category, "cup") << "of the session only";
+  EXPECT_FALSE(labelOf(noteOf("mug", "cup"), known(7, "mug")).class_id);
+  EXPECT_EQ(labelOf(noteOf("mug", "cup"), known(7, "mug")).category, "cup") << "as in older sessions";
+}
+
+TEST(RegionLabel, MergedRegionsHaveTheClassOfTheCatalogue) {
+  std::map<RegionId, RegionObject> objects{{kOne, known(7, "mug")}, {kOther, known(7, "mug")}};
+  objects[kOther].is_merged = true;
+  for (auto& [region, object] : objects) {
+    object.class_id = ClassId{4};
+    object.class_name = "mug";
+  }
+  std::map<RegionId, RegionLabel> labels{{kOne, labelOf(noteOf("mug", "cup"), objects[kOne])},
+                                         {kOther, labelOf(noteOf("box", "boxes"), objects[kOther])}};
+  shareClasses(labels, objects);
+  for (const auto& [region, label] : labels) EXPECT_EQ(label.category, "mug");
+}
+
+TEST(RegionObject, HasTheRootOfItsClass) {
+  CatalogueModel catalogue;
+  const ClassId mug = catalogue.addClass({.name = "mug"}).value(),
+                cup = catalogue.addClass({.name = "cup"}).value();
+  catalogue.put({ObjectId{7}, "red mug", NamedBy::user, true, false, {}, {cup, {}}});
+  ASSERT_TRUE(catalogue.mergeClasses({&cup, 1}, mug));
+  const RegionObject object = regionObjectOf(catalogue, ObjectId{7});
+  EXPECT_EQ(object.class_id, mug);
+  EXPECT_EQ(object.class_name, "mug");
+}
+
 TEST(RememberedObjects, ReadBackEqual_FromText) {
   RememberedObjects objects{{kOne, {known(7, "M\xC3\xBCsli \"x\""), "A"}},
                             {kOther, {{.state = State::deleted}, "B"}}};
+  objects[kOne].object.class_id = ClassId{4};
+  objects[kOne].object.class_name = "breakfast";
   EXPECT_EQ(rememberedFrom(rememberedToText(objects)), objects);
   EXPECT_EQ(rememberedToText({}), "");
   for (const char* text : {"", "{", "[1]", R"({"x": {}})", R"({"3": {"object": "y"}})"})

@@ -63,7 +63,8 @@ TEST(JoinedObjects, ReadBackEqual_FromText) {
   joined.token = "0123";
   joined.before = {{kInto, ObjectId{1}}, {kFrom, ObjectId{7}}};
   joined.pairs = {{ObjectId{1}, ObjectId{9}}};
-  joined.merges = {{ObjectId{1}, {ObjectId{7}}, true}};
+  const Reclassified taken{ObjectId{1}, {}, {ClassId{4}, {{"material", "wood"}}}};
+  joined.merges = {{ObjectId{1}, {ObjectId{7}}, true, taken}};
   const JoinedObjects read = joinedFrom(joinedToText(joined));
   EXPECT_EQ(read.state, joined.state);
   EXPECT_EQ(read.token, "0123");
@@ -72,6 +73,7 @@ TEST(JoinedObjects, ReadBackEqual_FromText) {
   ASSERT_EQ(read.merges.size(), 1U);
   EXPECT_EQ(read.merges[0].from, joined.merges[0].from);
   EXPECT_TRUE(read.merges[0].has_confirmed);
+  EXPECT_EQ(read.merges[0].reclassified, taken);
   for (const char* text : {"", "{", "[]", R"({"state": "x", "before": {"a": 1}})", R"({"before": 3})"})
     EXPECT_TRUE(joinedFrom(text).before.empty()) << text;
 }
