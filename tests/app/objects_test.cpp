@@ -1,3 +1,5 @@
+#include <fstream>
+
 #include "tests/app/demo_scan.h"
 
 namespace scantrove::test {
@@ -83,6 +85,69 @@ TEST_F(ObjectsCommandTest, NamesTheProblemOfAnUnreadableCatalogue) {
   expectJobFailure(scantrove({"objects", "list", "--database", loop}), {loop, "symbolic links"});
   const std::string folder = copies_ / "";
   expectJobFailure(scantrove({"objects", "list", "--database", folder}), {"is a folder"});
+}
+
+TEST_F(ObjectsCommandTest, EditsClasses) {
+  const auto classes = [this](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "classes");
+    return run(arguments);
+  };
+  EXPECT_TRUE(jsonOf(classes({"list"})).empty());
+  const auto chair = jsonOf(classes({"add", "chair", "--id", "62", "--color", "#ff8000", "--supercategory",
+                                     "furniture", "--attribute", "material=choice:wood,steel"}));
+  EXPECT_EQ(chair["id"], 62);
+  EXPECT_EQ(chair["color"], "#ff8000");
+  EXPECT_EQ(chair["attributes"][0]["choices"], (nlohmann::ordered_json{"wood", "steel"}));
+  EXPECT_EQ(jsonOf(classes({"add", "stool"}))["id"], 63);
+  const auto classified = jsonOf(classes({"classify", first_, "stool"}));
+  EXPECT_EQ(classified["class_id"], 63);
+  EXPECT_EQ(jsonOf(run({"list"}))[0]["class"], "stool");
+  EXPECT_EQ(jsonOf(classes({"merge", "stool", "62"}))["objects"], 1);
+  EXPECT_EQ(jsonOf(classes({"classify", first_, "--attribute", "material=wood"}))["attributes"]["material"],
+            "wood");
+  EXPECT_EQ(jsonOf(run({"show", first_}))["class"], "chair");
+  EXPECT_EQ(jsonOf(run({"show", first_}))["attributes"]["material"], "wood");
+  EXPECT_EQ(jsonOf(classes({"merge", "--undo", "stool", "chair"}))["objects"], 1);
+  EXPECT_EQ(jsonOf(classes({"rename", "63", "bar stool"}))["name"], "bar stool");
+  EXPECT_EQ(jsonOf(classes({"edit", "chair", "--supercategory", "seats"}))["supercategory"], "seats");
+  expectJobFailure(classes({"hide", "bar stool"}), {"bar stool", copy_});
+  EXPECT_EQ(jsonOf(classes({"classify", first_, "--none"}))["class"], nullptr);
+  EXPECT_EQ(jsonOf(classes({"hide", "bar stool"}))["hidden"], true);
+  EXPECT_EQ(jsonOf(classes({"list"})).size(), 1U);
+  EXPECT_EQ(jsonOf(classes({"restore", "bar stool"}))["id"], 63);
+  expectJobFailure(classes({"add", "chair"}), {"chair", "62"});
+  expectJobFailure(classes({"add", "x", "--color", "red"}), {"'red' is no color"});
+  expectJobFailure(classes({"rename", "no such class", "x"}), {"no such class"});
+  EXPECT_EQ(classes({"add", "x", "--id", "0"}).exit_code, 2);
+}
+
+TEST_F(ObjectsCommandTest, ImportsAndExportsClasses) {
+  const auto classes = [this](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "classes");
+    return run(arguments);
+  };
+  ASSERT_EQ(classes({"add", "chair", "--attribute", "broken=yes_no"}).exit_code, 0);
+  const auto list = jsonOf(classes({"list"}));
+  const std::string json = copies_ / "list.json", csv = copies_ / "list.csv",
+                    other = copies_ / "other.sqlite";
+  ASSERT_EQ(classes({"export", json}).exit_code, 0);
+  ASSERT_EQ(classes({"export", csv}).exit_code, 0);
+  EXPECT_THAT(readText(csv), testing::StartsWith("id,name,supercategory,color\n1,chair,,#"));
+  expectJobFailure(classes({"export", csv}), {csv, "exists"});
+  EXPECT_EQ(jsonOf(classes({"import", json}))["unchanged"], 1);
+  std::filesystem::copy_file(demoFolder() / "scan/catalogue.sqlite", other);
+  for (const std::string& file : {json, csv}) {
+    const Finished done = scantrove({"objects", "classes", "import", file, "--database", other});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+  }
+  EXPECT_EQ(jsonOf(scantrove({"objects", "classes", "list", "--json", "--database", other})), list);
+  const std::string foreign = copies_ / "foreign.csv";
+  std::ofstream(foreign) << "id,name\n7,chair\n8,table\n";
+  const Finished done = scantrove({"objects", "classes", "import", foreign, "--database", other});
+  EXPECT_THAT(done.out, testing::HasSubstr("1 added"));
+  EXPECT_THAT(done.err, testing::HasSubstr("chair (7 in the list) keeps its id 1"));
+  std::ofstream(foreign) << "id,name\n9,cup\n9,jug\n";
+  expectJobFailure(classes({"import", foreign}), {foreign, "9 occurs twice"});
 }
 
 TEST_F(ObjectsCommandTest, DeletesAnObject) {
