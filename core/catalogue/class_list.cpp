@@ -105,17 +105,22 @@ Result<std::vector<ClassDraft>> parseJson(std::string_view text, const std::stri
     return event != Event::key || depth != 1 || parsed == "categories";
   };
   ListedClasses classes(file);
+  std::string what = "it has no list of categories";
   try {
     const ListJson json = ListJson::parse(text, isNeeded);
     if (is_too_deep) return fail(isNoList(file, "its values are nested too deep"));
-    for (const ListJson& one : json.at("categories").get_ref<const ListJson::array_t&>()) {
-      const Result<ClassDraft> draft = draftFromJson(one, file);
+    const auto& categories = json.at("categories").get_ref<const ListJson::array_t&>();
+    for (std::size_t i = 0; i < categories.size(); ++i) {
+      what = "class " + std::to_string(i + 1) + " lacks its name, or has a member of another type";
+      const Result<ClassDraft> draft = draftFromJson(categories[i], file);
       if (!draft) return fail(draft.error());
       SCANTROVE_TRY(classes.add(*draft));
     }
-  } catch (const ListJson::exception& failure) {
-    if (is_too_deep) return fail(isNoList(file, "its values are nested too deep"));
-    return fail(isNoList(file, forTerminal(failure.what(), 200)));
+  } catch (const ListJson::parse_error& failure) {
+    return fail(isNoList(file, is_too_deep ? "its values are nested too deep"
+                                           : "it is no valid JSON at byte " + std::to_string(failure.byte)));
+  } catch (const ListJson::exception&) {
+    return fail(isNoList(file, what));
   }
   return std::move(classes).take();
 }

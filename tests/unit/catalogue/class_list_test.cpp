@@ -98,6 +98,9 @@ TEST(ClassList, IsRefused_WhenItsFormIsAnother) {
         R"({"categories": [{"name": "a", "scantrove": {"attributes": [{"name": "b", "kind": "x"}]}}]})",
         "id\n1\n", "name,name\na,b\n", "name,weight\na,b\n", "id,name\n1\n", "name\n\"a\n", "name\n\"a\"b\n"})
     whyNot(text);
+  EXPECT_THAT(whyNot("{"), HasSubstr("no valid JSON at byte 2"));
+  EXPECT_THAT(whyNot("{}"), HasSubstr("no list of categories"));
+  EXPECT_THAT(whyNot(R"({"categories": [{"name": "a"}, {"name": 1}]})"), HasSubstr("class 2 lacks its name"));
   EXPECT_THAT(whyNot("{\"categories\": " + std::string(100'000, '[')), HasSubstr("nested too deep"));
   EXPECT_THAT(whyNot("name" + std::string(1'000'000, ',')), HasSubstr("no line of CSV"));
 }
