@@ -54,6 +54,39 @@ TEST_F(UserRequestsTest, ObjectIsNamed_UntilTheNameIsUndone) {
   EXPECT_EQ(objects().size(), 2U);
 }
 
+TEST_F(UserRequestsTest, ObjectHasTheGivenClass_UntilTheNameIsUndone) {
+  const ObjectId mug = showFrames({mug_, box_}).added.at(0).id;
+  collector_->requests().name(mug_.region, {"red mug", "mug"});
+  static_cast<void>(showFrame({mug_, box_}));
+  EXPECT_EQ(collector_->objects().describe(mug_.region).class_name, "mug");
+  EXPECT_EQ(record(mug).classification.class_id, ClassId{1});
+  collector_->requests().undoName(mug_.region, "red mug");
+  static_cast<void>(showFrame({mug_, box_}));
+  EXPECT_EQ(collector_->objects().describe(mug_.region).class_name, "");
+  EXPECT_EQ(record(mug).classification, Classification{});
+}
+
+TEST_F(UserRequestsTest, ClassHasTheIdOfTheCatalogue_WhenOthersAddedOneMeanwhile) {
+  const ObjectId mug = showFrames({mug_, box_}).added.at(0).id;
+  ASSERT_TRUE(person_->classes().add({.name = "table"}));
+  collector_->requests().name(mug_.region, {"red mug", "mug"});
+  static_cast<void>(showFrame({mug_, box_}));
+  const RegionObject described = collector_->objects().describe(mug_.region);
+  EXPECT_EQ(described.class_name, "mug");
+  EXPECT_EQ(described.class_id, ClassId{2});
+  EXPECT_EQ(record(mug).classification.class_id, ClassId{2});
+}
+
+TEST_F(UserRequestsTest, ObjectIsNamedWithoutAClass_WhenThatIsNotValid) {
+  const ObjectId mug = showFrames({mug_}).added.at(0).id;
+  collector_->requests().name(mug_.region, {"mug", "12"});
+  const FrameObjects seen = showFrame({mug_});
+  EXPECT_EQ(record(mug).name, "mug");
+  EXPECT_FALSE(record(mug).classification.class_id);
+  ASSERT_TRUE(seen.catalogue_failure);
+  EXPECT_THAT(seen.catalogue_failure->what, HasSubstr("number alone"));
+}
+
 TEST_F(UserRequestsTest, UndoKeepsAnotherName_GivenSince) {
   const ObjectId mug = showFrames({mug_}).added.at(0).id;
   name(mug_, "mug");

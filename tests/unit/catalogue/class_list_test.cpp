@@ -76,8 +76,8 @@ TEST(ClassList, ReadsCsvOfOtherPrograms) {
 TEST(ClassList, IsRefused_WhenIdsOrNamesAreNotValidOrOccurTwice) {
   for (const char* id : {"0", "-1", "2147483648", "4294967297", "1.5", "1e3", "x", "99999999999999999999"}) {
     EXPECT_THAT(whyNot("id,name\n" + std::string(id) + ",mug\n"), HasSubstr("no id from 1 to 2147483647"));
-    if (std::string(id) != "x")
-      EXPECT_NE(whyNot(R"({"categories": [{"name": "mug", "id": )" + std::string(id) + "}]}"), "");
+    const std::string json = R"({"categories": [{"name": "mug", "id": )" + std::string(id) + "}]}";
+    EXPECT_NE(whyNot(json), "");
   }
   EXPECT_THAT(whyNot("id,name\n1,mug\n1,cup\n"), HasSubstr("the id 1 occurs twice"));
   EXPECT_THAT(whyNot("id,name\n1,mug\n2, mug\n"), HasSubstr("the name 'mug' occurs twice"));

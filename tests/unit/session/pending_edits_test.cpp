@@ -9,7 +9,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Kind = CatalogueStep::Kind;
 
-constexpr RegionId kMug{3};
+constexpr RegionId kNamed{3};
 
 class PendingEditsTest : public testing::Test {
  protected:
@@ -21,31 +21,31 @@ class PendingEditsTest : public testing::Test {
 };
 
 TEST_F(PendingEditsTest, StepsOfANamingHaveItsClass) {
-  const Operation naming{.regions = {kMug}, .name = "red mug", .category = "mug"};
+  const Operation naming{.regions = {kNamed}, .name = "red mug", .category = "mug"};
   EXPECT_THAT(stepsOf(naming, EditDirection::done),
-              ElementsAre(CatalogueStep{Kind::name, kMug, "red mug", "mug"}));
+              ElementsAre(CatalogueStep{Kind::name, kNamed, "red mug", "mug"}));
   EXPECT_THAT(stepsOf(naming, EditDirection::redone),
-              ElementsAre(CatalogueStep{Kind::redo_name, kMug, "red mug", "mug"}));
+              ElementsAre(CatalogueStep{Kind::redo_name, kNamed, "red mug", "mug"}));
   EXPECT_THAT(stepsOf(naming, EditDirection::undone),
-              ElementsAre(CatalogueStep{Kind::revert_name, kMug, "red mug"}));
+              ElementsAre(CatalogueStep{Kind::revert_name, kNamed, "red mug"}));
 }
 
 TEST_F(PendingEditsTest, UndoneRemovalGivesNameAndClassAgain) {
   note_.name = "red mug";
   note_.category = "mug";
-  EXPECT_THAT(stepsOf({.regions = {kMug}}, EditDirection::undone),
-              ElementsAre(CatalogueStep{Kind::name, kMug, "red mug", "mug"}));
+  EXPECT_THAT(stepsOf({.regions = {kNamed}}, EditDirection::undone),
+              ElementsAre(CatalogueStep{Kind::name, kNamed, "red mug", "mug"}));
 }
 
 TEST_F(PendingEditsTest, ReadBackEqual_FromText) {
   const std::vector<PendingEdit> edits{
-      {"a1", {{Kind::name, kMug, "red mug", "mug"}, {Kind::revert_name, kMug, "cup"}}},
-      {"b2", {{Kind::add, kMug}}}};
+      {"a1", {{Kind::name, kNamed, "red mug", "mug"}, {Kind::revert_name, kNamed, "cup"}}},
+      {"b2", {{Kind::add, kNamed}}}};
   EXPECT_EQ(pendingEditsFromJson(pendingEditsToJson(edits)), edits);
   const char* of_an_older_version =
       R"([{"token": "a1", "steps": [{"do": "name", "region": 3, "name": "mug"}]}])";
   EXPECT_THAT(pendingEditsFromJson(of_an_older_version),
-              ElementsAre(PendingEdit{"a1", {{Kind::name, kMug, "mug"}}}));
+              ElementsAre(PendingEdit{"a1", {{Kind::name, kNamed, "mug"}}}));
   EXPECT_THAT(pendingEditsFromJson("[{"), IsEmpty());
 }
 
