@@ -2,9 +2,13 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/command.h"
 #include "app/core_application.h"
+#include "app/json_output.h"
 #include "app/kernel_cache_use.h"
 #include "app/stop_signal.h"
 #include "core/dataset/catalogue_export.h"
@@ -16,8 +20,8 @@ namespace scantrove {
 namespace {
 
 struct ExportCommand {
-  std::string folder, database, out, format, device;
-  bool all_frames = false, background = false, include_unfit = false, centered = false;
+  std::string folder, database, out, format, device, license;
+  bool all_frames = false, background = false, include_unfit = false, centered = false, json = false;
 };
 
 /// Prints progress on stderr in steps of ten percent. Ctrl+C cancels the export.
@@ -42,14 +46,58 @@ class ExportProgressPrinter {
 
 long megabytesOf(std::uint64_t bytes) { return std::lround(static_cast<double>(bytes) / 1e6); }
 
+void printMessages(const std::vector<std::string>& messages) {
+  for (const std::string& message : messages) std::cerr << "scantrove: " << inLine(message) << '\n';
+}
+
 Result<void> exportObjects(const ExportCommand& command) {
   ExportProgressPrinter printer;
   const auto summary = exportCatalogue(command.database, command.out, std::ref(printer), printer.token());
   if (!summary) return fail(summary.error());
-  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '\n';
+  printMessages(summary->skipped);
+  if (command.json) {
+    printJson({{"folder", summary->folder.string()},
+               {"objects", summary->objects},
+               {"views", summary->views},
+               {"bytes", summary->bytes},
+               {"skipped", summary->skipped}});
+    return {};
+  }
   std::cout << "objects  " << summary->objects << " objects, " << summary->views << " views, "
             << megabytesOf(summary->bytes) << " MB\nresults  " << inLine(summary->folder.string()) << '\n';
   return {};
+}
+
+Json toJson(const ExportSummary& summary, const std::string& format) {
+  Json classes = Json::array();
+  for (const ClassCount& count : summary.classes) {
+    classes.push_back({{"name", count.name},
+                       {"images", count.images},
+                       {"instances", count.instances},
+                       {"pixels", count.pixels}});
+  }
+  return {{"format", format},
+          {"folder", summary.folder.string()},
+          {"images", summary.images},
+          {"regions", summary.regions},
+          {"annotations", summary.annotations},
+          {"points", summary.points},
+          {"faces", summary.faces},
+          {"bytes", summary.bytes},
+          {"unfit", summary.unfit},
+          {"skipped", summary.skipped},
+          {"notes", summary.notes},
+          {"classes", std::move(classes)}};
+}
+
+void printSummary(const ExportSummary& summary, const std::string& format) {
+  std::cout << format << "     " << summary.images << " images, " << summary.regions << " regions, "
+            << summary.annotations << " annotations";
+  if (!summary.classes.empty()) std::cout << " of " << summary.classes.size() << " classes";
+  if (summary.points > 0) std::cout << ", " << summary.points << " points";
+  if (summary.faces > 0) std::cout << ", " << summary.faces << " faces";
+  std::cout << ", " << megabytesOf(summary.bytes) << " MB\nresults  " << inLine(summary.folder.string())
+            << '\n';
 }
 
 Result<void> exportSession(const ExportCommand& command) {
@@ -63,22 +111,22 @@ Result<void> exportSession(const ExportCommand& command) {
   SessionScan scan(**session);
   ExportProgressPrinter printer;
   const auto exportScan = command.centered ? exportCenteredMesh : exportDataset;
-  const ExportOptions options{*format, command.out, command.all_frames, command.background,
-                              command.include_unfit};
+  const ExportOptions options{
+      *format, command.out, command.all_frames, command.background, command.include_unfit, command.license};
   const auto summary = exportScan(scan, options, std::ref(printer), printer.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
     std::cerr << "scantrove: " << inLine((*session)->missingCatalogue()->message()) << '\n';
-  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '\n';
+  printMessages(summary->skipped);
+  printMessages(summary->notes);
   if (summary->unfit > 0)
     std::cerr << "scantrove: " << summary->unfit
               << " unfit frames were left out; --include-unfit-frames exports them.\n";
-  std::cout << command.format << "     " << summary->images << " images, " << summary->regions << " regions, "
-            << summary->annotations << " annotations";
-  if (summary->points > 0) std::cout << ", " << summary->points << " points";
-  if (summary->faces > 0) std::cout << ", " << summary->faces << " faces";
-  std::cout << ", " << megabytesOf(summary->bytes) << " MB\nresults  " << inLine(summary->folder.string())
-            << '\n';
+  if (command.json) {
+    printJson(toJson(*summary, command.format));
+  } else {
+    printSummary(*summary, command.format);
+  }
   return {};
 }
 
@@ -93,7 +141,7 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
       ->type_name("FILE");
   sub->add_option("--format", command->format, "format of the data set")
       ->check(CLI::IsMember(datasetFormatNames()))
-      ->type_name("coco|bop|yolo|masks|ply|pcd|mesh|tum|scannet");
+      ->type_name("coco|bop|yolo|masks|voc|labelstudio|boxes|foundationpose|ply|pcd|mesh|tum|scannet");
   sub->add_option("--out", command->out, "folder for the data set; must be empty or not exist")
       ->required()
       ->type_name("DIR2");
@@ -103,6 +151,9 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
                 "include frames that are blurred, or whose depth and colour do not fit");
   sub->add_flag("--centred,--centered", command->centered,
                 "with --format mesh: centre each object at the origin and write the offset to a file");
+  sub->add_option("--license", command->license, "licence of the data set, for its README and LICENSE.txt")
+      ->type_name("TEXT");
+  sub->add_flag("--json", command->json, "print the summary with the counts of each class as JSON");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
   sub->callback([command, &job] {
@@ -110,11 +161,11 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
     if (is_catalogue != command->folder.empty()) {
       throw CLI::ValidationError("DIR", "is a session, --database a catalogue. Give one of them");
     }
-    if (is_catalogue &&
-        (!command->format.empty() || command->all_frames || command->background || command->include_unfit)) {
-      throw CLI::ValidationError(
-          "--database",
-          "cannot be combined with --format, --all-frames, --background or --include-unfit-frames");
+    if (is_catalogue && (!command->format.empty() || command->all_frames || command->background ||
+                         command->include_unfit || !command->license.empty())) {
+      throw CLI::ValidationError("--database",
+                                 "cannot be combined with --format, --all-frames, --background, "
+                                 "--include-unfit-frames or --license");
     }
     if (command->centered && command->format != "mesh")
       throw CLI::ValidationError("--centred", "needs --format mesh");

@@ -12,6 +12,10 @@ constexpr float kMillimeters = 1000;
 
 }  // namespace
 
+LabeledMesh BopModel::meshInMeters() const {
+  return transformed(mesh_world, Eigen::Affine3f(T_world_model.inverse().cast<float>().matrix()));
+}
+
 LabeledMesh BopModel::meshInMillimeters() const {
   const Eigen::Affine3f T(Eigen::Scaling(kMillimeters) *
                           Eigen::Affine3f(T_world_model.inverse().cast<float>().matrix()));

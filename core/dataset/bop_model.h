@@ -14,7 +14,9 @@ struct BopModel {
   LabeledMesh mesh_world;                                           ///< metres, world
   Eigen::Isometry3d T_world_model = Eigen::Isometry3d::Identity();  ///< metres
 
-  /// The mesh in the model's frame, in millimetres.
+  /// The mesh in the model's frame.
+  [[nodiscard]] LabeledMesh meshInMeters() const;
+  /// The same in millimetres.
   [[nodiscard]] LabeledMesh meshInMillimeters() const;
 };
 

@@ -23,17 +23,20 @@ CategoryList::CategoryList(const std::vector<ObjectClass>& classes,
   std::map<std::uint32_t, DatasetCategory> categories;
   std::set<std::uint32_t> taken;
   std::map<std::string, std::uint32_t> ids;  // by name
-  const auto add = [&](std::uint32_t id, const std::string& name, const std::string& supercategory) {
-    taken.insert(id);
-    categories.try_emplace(id, DatasetCategory{id, name, supercategory});
-    ids.try_emplace(name, id);
+  const auto add = [&](const DatasetCategory& category) {
+    taken.insert(category.id);
+    categories.try_emplace(category.id, category);
+    ids.try_emplace(category.name, category.id);
+  };
+  const auto unlisted = [](std::uint32_t id, const std::string& name) {
+    return DatasetCategory{id, name, "", defaultClassColor(ClassId{id})};
   };
   for (const ObjectClass& one : classes) {
-    if (!one.hidden) add(one.id.value, validUtf8(one.name), validUtf8(one.supercategory));
+    if (!one.hidden) add({one.id.value, validUtf8(one.name), validUtf8(one.supercategory), one.color});
     taken.insert(one.id.value);
   }
   for (const LabeledRegion& region : regions) {
-    if (region.class_id) add(region.class_id.value, classOf(region), "");
+    if (region.class_id) add(unlisted(region.class_id.value, classOf(region)));
   }
   std::set<std::string> others;
   for (const LabeledRegion& region : regions) {
@@ -41,7 +44,7 @@ CategoryList::CategoryList(const std::vector<ObjectClass>& classes,
   }
   std::uint32_t last = taken.empty() ? 0 : *taken.rbegin();
   for (const std::string& name : others) {
-    add(freeIdAfter(last, taken), name, "");
+    add(unlisted(freeIdAfter(last, taken), name));
     last = *taken.rbegin();
   }
   for (const auto& [id, category] : categories) {
@@ -52,7 +55,11 @@ CategoryList::CategoryList(const std::vector<ObjectClass>& classes,
 }
 
 std::size_t CategoryList::indexOf(const LabeledRegion& region) const {
-  return region.class_id ? by_id_.at(region.class_id.value) : by_name_.at(classOf(region));
+  return indexOf(region.class_id, classOf(region));
+}
+
+std::size_t CategoryList::indexOf(ClassId id, const std::string& name) const {
+  return id ? by_id_.at(id.value) : by_name_.at(name);
 }
 
 }  // namespace scantrove

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/catalogue/object_class.h"
+#include "core/dataset/export_instances.h"
 #include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
@@ -15,6 +16,7 @@ struct DatasetCategory {
   std::uint32_t id = 0;  ///< of the class in the catalogue, or a later one
   std::string name;      ///< valid UTF-8
   std::string supercategory = {};
+  ClassColor color{};  ///< of the class, or the usual one of its id
 
   bool operator==(const DatasetCategory&) const = default;
 };
@@ -30,13 +32,18 @@ class CategoryList {
 
   /// Ascending by id.
   [[nodiscard]] const std::vector<DatasetCategory>& all() const { return categories_; }
-  /// Index into all() of the category of one of the regions.
+  /// Index into all() of the category of one of the regions, or of an instance of them.
   [[nodiscard]] std::size_t indexOf(const LabeledRegion& region) const;
+  [[nodiscard]] std::size_t indexOf(const ExportInstance& instance) const {
+    return indexOf(instance.class_id, instance.class_name);
+  }
   [[nodiscard]] std::uint32_t idOf(const LabeledRegion& region) const {
     return categories_[indexOf(region)].id;
   }
 
  private:
+  [[nodiscard]] std::size_t indexOf(ClassId id, const std::string& name) const;
+
   std::vector<DatasetCategory> categories_;
   std::map<std::uint32_t, std::size_t> by_id_;
   std::map<std::string, std::size_t> by_name_;  // of visible classes and of other names

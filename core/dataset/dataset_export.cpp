@@ -8,6 +8,7 @@
 
 #include "core/dataset/centered_mesh.h"
 #include "core/dataset/dataset_formats.h"
+#include "core/dataset/dataset_readme.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/staged_folder.h"
 
@@ -17,9 +18,10 @@ namespace {
 using WriteFormat = Result<void> (*)(ExportJob&);
 
 /// In the order of the enumeration.
-constexpr std::array<WriteFormat, 9> kWriters{exportCoco,  exportBop,      exportYolo,
-                                              exportMasks, exportPlyCloud, exportPcdCloud,
-                                              exportMesh,  exportTum,      exportScannet};
+constexpr std::array<WriteFormat, 13> kWriters{
+    exportCoco,        exportBop,   exportYolo,           exportMasks,    exportVoc,
+    exportLabelStudio, exportBoxes, exportFoundationPose, exportPlyCloud, exportPcdCloud,
+    exportMesh,        exportTum,   exportScannet};
 
 Result<ExportSummary> exportInto(LabeledScan& scan, const ExportOptions& options, WriteFormat write,
                                  const StagedFolder& folder, const ExportProgressCallback& progress,
@@ -28,6 +30,7 @@ Result<ExportSummary> exportInto(LabeledScan& scan, const ExportOptions& options
   SCANTROVE_TRY(job.step(0, 1, "regions"));
   SCANTROVE_TRY(job.readRegions());
   SCANTROVE_TRY(write(job));
+  SCANTROVE_TRY(writeReadme(job));
   SCANTROVE_TRY(job.step(1, 1, "checking files"));
   SCANTROVE_TRY(job.checkFiles());
   SCANTROVE_TRY(job.step(1, 1, "done"));
@@ -60,15 +63,32 @@ Result<ExportSummary> exportWith(WriteFormat write, LabeledScan& scan, const Exp
   return summary;
 }
 
+/// The estimated bytes of a frame in a data set of `objects` objects.
+double bytesOfImage(const KeyFrameInfo& frame, DatasetFormat format, int objects) {
+  constexpr double kDepthBytes = 1.2, kColorBytes = 1.5, kMaskBytes = 0.01;  // per pixel, compressed
+  constexpr double kObjectsInView = 0.3;  // part of a scan's objects that a frame shows
+  const double pixels = frame.color_file.empty() ? frame.K_depth.pixels() : frame.K_color.pixels();
+  if (format == DatasetFormat::foundationpose) {
+    const double copies = std::max(1.0, kObjectsInView * objects);
+    return copies * pixels * (kColorBytes + kDepthBytes + kMaskBytes);
+  }
+  std::error_code failure;
+  const std::uintmax_t size =
+      frame.color_file.empty() ? 0 : std::filesystem::file_size(frame.color_file, failure);
+  const bool has_depth = format == DatasetFormat::bop || format == DatasetFormat::boxes;
+  return (failure ? 0 : static_cast<double>(size)) + pixels * (has_depth ? kDepthBytes : kMaskBytes);
+}
+
 }  // namespace
 
 const std::vector<std::string>& datasetFormatNames() {
-  static const std::vector<std::string> kNames{"coco", "bop",  "yolo", "masks",  "ply",
-                                               "pcd",  "mesh", "tum",  "scannet"};
+  static const std::vector<std::string> kNames{"coco",        "bop",   "yolo",           "masks", "voc",
+                                               "labelstudio", "boxes", "foundationpose", "ply",   "pcd",
+                                               "mesh",        "tum",   "scannet"};
   return kNames;
 }
 
-bool hasImages(DatasetFormat format) { return format <= DatasetFormat::masks; }
+bool hasImages(DatasetFormat format) { return format <= DatasetFormat::foundationpose; }
 
 Result<DatasetFormat> parseDatasetFormat(std::string_view name) {
   const auto& names = datasetFormatNames();
@@ -101,13 +121,7 @@ Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& opti
   for (const KeyFrameInfo& frame : *frames) {
     if (frame.color_file.empty() && options.format != DatasetFormat::masks) continue;
     ++preview.images;
-    std::error_code ignored;
-    const std::uintmax_t size =
-        frame.color_file.empty() ? 0 : std::filesystem::file_size(frame.color_file, ignored);
-    const double pixels = frame.color_file.empty() ? frame.K_depth.pixels() : frame.K_color.pixels();
-    constexpr double kDepthBytes = 1.2, kMaskBytes = 0.01;  // per pixel, compressed
-    preview.megabytes += (ignored ? 0 : static_cast<double>(size)) / 1e6;
-    preview.megabytes += pixels * (options.format == DatasetFormat::bop ? kDepthBytes : kMaskBytes) / 1e6;
+    preview.megabytes += bytesOfImage(frame, options.format, preview.regions) / 1e6;
   }
   return preview;
 }

@@ -13,7 +13,21 @@
 namespace scantrove {
 
 /// The formats of a data set; see dataset_formats.h.
-enum class DatasetFormat { coco, bop, yolo, masks, ply, pcd, mesh, tum, scannet };
+enum class DatasetFormat {
+  coco,
+  bop,
+  yolo,
+  masks,
+  voc,
+  labelstudio,
+  boxes,
+  foundationpose,
+  ply,
+  pcd,
+  mesh,
+  tum,
+  scannet
+};
 
 /// "coco", "bop", ... in the order of the enumeration.
 [[nodiscard]] const std::vector<std::string>& datasetFormatNames();
@@ -30,6 +44,7 @@ struct ExportOptions {
   bool all_frames = false;       ///< every stored frame, not only key frames
   bool background = false;       ///< include regions that are background or rejected
   bool include_unfit = false;    ///< include frames that are blurred, or whose depth and colour do not fit
+  std::string license;           ///< name or text; empty: none was given
 };
 
 /// The progress of an export: `done` of `total` steps, and the next one ("frame 120").
@@ -39,16 +54,26 @@ struct ExportProgress {
 };
 using ExportProgressCallback = std::function<void(const ExportProgress&)>;
 
+/// The content of a data set of one class.
+struct ClassCount {
+  std::string name;
+  int images = 0;            ///< that show it
+  int instances = 0;         ///< masks in images; formats without images: objects
+  std::uint64_t pixels = 0;  ///< of the masks
+};
+
 /// The result of an export.
 struct ExportSummary {
   std::filesystem::path folder;
   int images = 0;       ///< frames with labels
   int regions = 0;      ///< exported: with a name or an object, or due to `background`
-  int annotations = 0;  ///< one for each region in an image
+  int annotations = 0;  ///< masks in images, one for each region or object; without images: objects
+  std::vector<ClassCount> classes;  ///< by name; sums of the annotations
   std::uint64_t points = 0, faces = 0;
   std::uint64_t bytes = 0;
   std::vector<std::string> skipped;  ///< a sentence for each key frame that was left out
   int unfit = 0;                     ///< of those: blurred, or depth and colour do not fit (FrameFitness)
+  std::vector<std::string> notes;    ///< other sentences for the user
 };
 
 /// The expected result of an export, without computing masks or reading images.

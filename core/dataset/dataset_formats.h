@@ -6,6 +6,7 @@ namespace scantrove {
 
 // One function and one file export_<format>.cpp for each format. Each writes its files through the job and
 // fills in the summary. Errors: as of exportDataset(). NNNNNN is the number of a frame in its source.
+// README.md and LICENSE.txt are written for all.
 
 /// COCO instances (pycocotools, CVAT, FiftyOne):
 ///     annotations/instances.json   run-length encoded masks, bbox, area, iscrowd 0, attributes
@@ -25,7 +26,7 @@ namespace scantrove {
 
 /// Ultralytics segments:
 ///     data.yaml   images/train images/val   labels/train labels/val
-/// One line for each instance: all regions of an object of the catalogue, or a region without object.
+/// One line for each instance (export_instances.h).
 /// Pieces and holes are joined by bridges (mask_outline.h). The last fifth of the frames (if at least five)
 /// is for validation, because neighbours in time are similar.
 [[nodiscard]] Result<void> exportYolo(ExportJob& job);
@@ -33,6 +34,36 @@ namespace scantrove {
 /// labels.json and masks/NNNNNN.png: 16 bits, region ids, 0 = not exported; beside them color/ as recorded.
 /// With ids above 65535 regions are renumbered; labels.json uses the numbers in the masks.
 [[nodiscard]] Result<void> exportMasks(ExportJob& job);
+
+/// Pascal VOC (torchvision, CVAT):
+///     JPEGImages/NNNNNN.jpg            other images are converted
+///     Annotations/NNNNNN.xml           one box for each instance; pixels count from 1
+///     SegmentationClass SegmentationObject NNNNNN.png   VOC's palette; no border of 255
+///     ImageSets/Main ImageSets/Segmentation train.txt val.txt trainval.txt
+///     labelmap.txt labels.json
+/// Error: more than 254 classes, or objects in an image.
+[[nodiscard]] Result<void> exportVoc(ExportJob& job);
+
+/// Label Studio: tasks.json with one brush mask for each instance (brush_rle.h), label-config.xml, images/,
+/// labels.json. Brush masks and not polygons, because a polygon has neither holes nor pieces.
+[[nodiscard]] Result<void> exportLabelStudio(ExportJob& job);
+
+/// Upright boxes of instances (upright_box.h), metres:
+///     pointclouds/scene.ply            the surface, z up
+///     labels/scene.json _classes.json  for labelCloud, centroid_abs
+///     boxes.json                       with instances, and the transform to the world
+///     sunrgbd/NNNNNN/                  a frame of SUN RGB-D: image/ depth/ intrinsics.txt extrinsics/
+///                                      annotation3Dfinal/index.json, boxes in the levelled camera's frame
+[[nodiscard]] Result<void> exportBoxes(ExportJob& job);
+
+/// FoundationPose, one folder NNNNNN_name for each instance and camera, metres:
+///     rgb depth masks NNNNNN.png       depth as the colour camera sees it, mm
+///     cam_K.txt mesh/model.obj         z up, centre of its box in the origin
+///     ob_in_cam/NNNNNN.txt             from the model's frame to the camera's
+/// A folder has the frames that show at least 16 pixels of the instance with depth. Frames whose intrinsics
+/// differ by more than a pixel (of an image 640 wide) go into a folder of their own, NNNNNN_name_camera2.
+/// labels.json. Error: no instance has such frames.
+[[nodiscard]] Result<void> exportFoundationPose(ExportJob& job);
 
 /// cloud.ply (positions, normals, colours of the scene, label, estimated) and labels.json.
 [[nodiscard]] Result<void> exportPlyCloud(ExportJob& job);

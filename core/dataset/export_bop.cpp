@@ -6,6 +6,7 @@
 
 #include "core/dataset/bop_model.h"
 #include "core/dataset/dataset_formats.h"
+#include "core/dataset/depth_units.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/mesh_parts.h"
 #include "core/dataset/ply_file.h"
@@ -39,18 +40,6 @@ ExportJson boxAsList(const cv::Rect& box) {
 
 ExportJson cameraMatrix(const Intrinsics& K) { return {K.fx, 0.0, K.cx, 0.0, K.fy, K.cy, 0.0, 0.0, 1.0}; }
 
-/// CV_16UC1 in units of `meters_per_unit`; values out of range become 0.
-cv::Mat toUnits(const cv::Mat& depth_m, float meters_per_unit) {
-  cv::Mat units = cv::Mat::zeros(depth_m.size(), CV_16UC1);
-  for (int y = 0; y < depth_m.rows; ++y) {
-    for (int x = 0; x < depth_m.cols; ++x) {
-      const float value = std::round(depth_m.at<float>(y, x) / meters_per_unit);
-      if (value > 0 && value < 65535) units.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(value);
-    }
-  }
-  return units;
-}
-
 /// The scene under construction.
 class BopScene {
  public:
@@ -63,6 +52,7 @@ class BopScene {
     const auto frames = job_.scan().keyFrames(false);
     if (!frames) return fail(frames.error());
     models_ = bopModelsOf(*mesh, job_.chosen(), upDirection(*frames, *mesh));
+    for (const LabeledRegion& region : job_.chosen()) class_names_[region.id] = classOf(region);
     ExportJson infos = ExportJson::object();
     for (const auto& [region, model] : models_) {
       const LabeledMesh mesh_mm = model.meshInMillimeters();
@@ -77,7 +67,7 @@ class BopScene {
 
   Result<void> add(const LabeledImage& image) {
     const std::string key = std::to_string(image.frame.index);
-    const cv::Mat depth = toUnits(image.depth_m, image.frame.meters_per_unit);
+    const cv::Mat depth = depthInUnits(image.depth_m, image.frame.meters_per_unit);
     SCANTROVE_TRY(job_.write(kSceneFolder + "rgb/" + image.image_name, image.image_bytes));
     SCANTROVE_TRY(job_.write(kSceneFolder + "depth/" + image.stem + ".png", encodePng(depth)));
     describeCamera(image, key);
@@ -125,14 +115,13 @@ class BopScene {
     const std::string file = fmt::format("/{}_{:06}.png", image.stem, poses_[key].size());
     SCANTROVE_TRY(job_.write(kSceneFolder + "mask" + file, encodePng(mask)));
     SCANTROVE_TRY(job_.write(kSceneFolder + "mask_visib" + file, encodePng(visible)));
-    ++job_.summary().annotations;
-
     const Eigen::Isometry3d T_camera_model = image.T_world_camera.inverse() * model.T_world_model;
     poses_[key].push_back({{"cam_R_m2c", rowByRow(T_camera_model.linear())},
                            {"cam_t_m2c", millimetersOf(T_camera_model.translation())},
                            {"obj_id", region}});
     const int all = inside + whole.pixels - cv::countNonZero(rendered);
     const int seen = cv::countNonZero(visible);
+    job_.countMask(class_names_.at(region), seen);
     cv::Mat valid;
     cv::bitwise_and(mask, depth > 0, valid);
     const cv::Rect box = whole.tightBox() | boxOf(visible);
@@ -147,6 +136,7 @@ class BopScene {
 
   ExportJob& job_;
   std::map<std::uint32_t, BopModel> models_;
+  std::map<std::uint32_t, std::string> class_names_;
   ExportJson cameras_ = ExportJson::object(), poses_ = ExportJson::object(), infos_ = ExportJson::object();
   ExportJson camera_ = ExportJson::object();
 };

@@ -4,6 +4,7 @@
 
 #include "core/dataset/category_list.h"
 #include "core/dataset/dataset_formats.h"
+#include "core/dataset/dataset_readme.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/silhouette.h"
@@ -37,6 +38,7 @@ class CocoInstances {
                        {"height", image.K.height},
                        {"frame", image.frame.index},
                        {"timestamp_s", image.frame.timestamp_s}});
+    if (hasLicense()) images_.back()["license"] = kLicenseId;
     for (const LabeledRegion& region : job_.chosen()) {
       const cv::Mat mask = image.maskOf(region.id);
       const cv::Rect box = boxOf(mask);
@@ -46,26 +48,45 @@ class CocoInstances {
   }
 
   Result<void> finish() {
+    const std::string date = dateNow();
     const ExportJson file = {{"info",
                               {{"description", "Scantrove: " + validUtf8(job_.scan().name())},
+                               {"url", ""},
                                {"version", "1.0"},
-                               {"date_created", dateNow()}}},
-                             {"licenses", ExportJson::array()},
+                               {"year", std::stoi(date.substr(0, 4))},
+                               {"contributor", "Scantrove " + programVersion()},
+                               {"date_created", date}}},
+                             {"licenses", licenses()},
                              {"images", images_},
                              {"annotations", annotations_},
                              {"categories", categories_}};
-    job_.summary().annotations = static_cast<int>(annotations_.size());
     return job_.write("annotations/instances.json", jsonText(file, -1));
   }
 
  private:
+  static constexpr int kLicenseId = 1;
+
+  [[nodiscard]] bool hasLicense() const { return !licenseName(job_.options().license).empty(); }
+
+  [[nodiscard]] ExportJson licenses() const {
+    if (!hasLicense()) return ExportJson::array();
+    ExportJson license = ExportJson::object();
+    license["id"] = kLicenseId;
+    license["name"] = licenseName(job_.options().license);
+    license["url"] = licenseUrl(job_.options().license);
+    return ExportJson::array({license});
+  }
+
   void annotate(const LabeledRegion& region, std::size_t image, const cv::Mat& mask, const cv::Rect& box) {
+    const std::string class_name = classOf(region);
+    const int area = cv::countNonZero(mask);
+    job_.countMask(class_name, area);
     annotations_.push_back(
         {{"id", annotations_.size() + 1},
          {"image_id", image},
          {"category_id", list_.idOf(region)},
          {"segmentation", {{"size", {mask.rows, mask.cols}}, {"counts", encodeRuns(runsOf(mask))}}},
-         {"area", cv::countNonZero(mask)},
+         {"area", area},
          {"bbox", {box.x, box.y, box.width, box.height}},
          {"iscrowd", 0},
          {"attributes",

@@ -61,6 +61,28 @@ Result<void> ExportJob::noteWritten(const fs::path& name) {
   return {};
 }
 
+ClassCount& ExportJob::countOf(const std::string& class_name) {
+  std::vector<ClassCount>& classes = summary_.classes;
+  const auto found =
+      std::lower_bound(classes.begin(), classes.end(), class_name,
+                       [](const ClassCount& count, const std::string& name) { return count.name < name; });
+  if (found != classes.end() && found->name == class_name) return *found;
+  return *classes.insert(found, {class_name, 0, 0, 0});
+}
+
+void ExportJob::countMask(const std::string& class_name, int pixels) {
+  ClassCount& count = countOf(class_name);
+  count.images += in_image_.insert(class_name).second ? 1 : 0;
+  ++count.instances;
+  count.pixels += static_cast<std::uint64_t>(pixels);
+  ++summary_.annotations;
+}
+
+void ExportJob::countObject(const std::string& class_name) {
+  ++countOf(class_name).instances;
+  ++summary_.annotations;
+}
+
 tl::unexpected<Error> ExportJob::readBackFailure(const fs::path& name, const std::string& why) const {
   return fail("What was written to " + pathOf(name).string() + " does not read back: " + why + ".",
               "Check the disk, and export again or to another one.");

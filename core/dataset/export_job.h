@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -47,6 +48,15 @@ class ExportJob {
     return folder_ / name;
   }
 
+  /// The counts of a class in the summary, which lists it from now on.
+  ClassCount& countOf(const std::string& class_name);
+  /// Begins the counts of the next image.
+  void beginImage() { in_image_.clear(); }
+  /// Counts a written mask of `pixels`, in the summary.
+  void countMask(const std::string& class_name, int pixels);
+  /// Counts an object of a format without images.
+  void countObject(const std::string& class_name);
+
   /// Error: a file is missing, has another length, or was not written by this job.
   [[nodiscard]] Result<void> checkFiles() const;
 
@@ -62,6 +72,7 @@ class ExportJob {
   std::vector<LabeledRegion> all_, chosen_;
   std::optional<std::vector<KeyFrameInfo>> frames_;
   std::map<std::filesystem::path, std::uintmax_t> written_;  // bytes, by name
+  std::set<std::string> in_image_;                           // classes
   ExportSummary summary_;
 };
 

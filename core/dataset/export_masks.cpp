@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <limits>
+#include <opencv2/core.hpp>
 #include <unordered_map>
 
 #include "core/dataset/dataset_formats.h"
@@ -45,7 +46,10 @@ Result<void> exportMasks(ExportJob& job) {
   if (!numbers) return fail(numbers.error());
   const auto writeOne = [&](const LabeledImage& image) -> Result<void> {
     if (!image.image_name.empty()) SCANTROVE_TRY(job.write("color/" + image.image_name, image.image_bytes));
-    job.summary().annotations += static_cast<int>(visibleRegions(image.regions).size());
+    for (const LabeledRegion& region : job.chosen()) {
+      const int pixels = cv::countNonZero(image.maskOf(region.id));
+      if (pixels > 0) job.countMask(classOf(region), pixels);
+    }
     return job.write("masks/" + image.stem + ".png", encodePng(numberedMask(image.regions, *numbers)));
   };
   SCANTROVE_TRY(forEachLabeledImage(job, false, writeOne));

@@ -84,7 +84,7 @@ Result<void> writeMeshes(ExportJob& job, ObjectPlace place) {
     if (part == parts.end()) continue;
     scene.push_back(glbPartOf(&region, part->second, y_up, origin));
     SCANTROVE_TRY(writeObject(job, region, part->second, y_up, place));
-    ++job.summary().annotations;
+    job.countObject(classOf(region));
   }
   SCANTROVE_TRY(job.step(done, total, "whole scene"));
   SCANTROVE_TRY(writeSurface(job, "scene", job.scan().name(), *mesh, origin, scene));

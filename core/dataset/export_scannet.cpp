@@ -37,7 +37,7 @@ ExportJson segmentsOf(const LabeledMesh& mesh, const std::string& name) {
 }
 
 /// Objects count from 0, because tools add 1.
-ExportJson aggregationOf(const ExportJob& job, const LabeledMesh& mesh, const std::string& name) {
+ExportJson aggregationOf(ExportJob& job, const LabeledMesh& mesh, const std::string& name) {
   std::set<std::uint32_t> present;
   for (const SurfacePoint& vertex : mesh.vertices) present.insert(vertex.region);
   ExportJson groups = ExportJson::array();
@@ -49,6 +49,7 @@ ExportJson aggregationOf(const ExportJob& job, const LabeledMesh& mesh, const st
                       {"segments", ExportJson::array({region.id})},
                       {"label", classOf(region)},
                       {"name", displayName(region)}});
+    job.countObject(classOf(region));
   }
   return {{"sceneId", name},
           {"appId", "Scantrove"},
@@ -79,7 +80,6 @@ Result<void> exportScannet(ExportJob& job) {
                                              "sceneType = Misc.\n"));
   job.summary().points = mesh.vertices.size();
   job.summary().faces = mesh.faces.size();
-  job.summary().annotations = static_cast<int>(aggregation["segGroups"].size());
   return {};
 }
 

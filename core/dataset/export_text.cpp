@@ -116,6 +116,21 @@ std::string yamlQuoted(std::string_view text) {
   return quoted + '"';
 }
 
+std::string xmlEscaped(std::string_view text) {
+  std::string escaped;
+  for (std::size_t at = 0; at < text.size();) {
+    const char32_t c = nextCharacter(text, at);
+    constexpr std::u32string_view kMarkup = U"&<>\"'", kLineEnds = U"\n\r\t\u0085\u2028";
+    const bool is_invalid = c < 0x20 || c == 0xFFFE || c == 0xFFFF;
+    if (kMarkup.find(c) != std::u32string_view::npos || kLineEnds.find(c) != std::u32string_view::npos) {
+      escaped += fmt::format("&#{};", static_cast<std::uint32_t>(c));
+    } else {
+      appendCharacter(escaped, is_invalid ? kReplacement : c);
+    }
+  }
+  return escaped;
+}
+
 std::string jsonText(const ExportJson& json, int indent) {
   return json.dump(indent, ' ', false, ExportJson::error_handler_t::replace) + "\n";
 }

@@ -22,6 +22,10 @@ using ExportJson = nlohmann::ordered_json;
 /// `text` as a double-quoted scalar of YAML 1.1 and 1.2.
 [[nodiscard]] std::string yamlQuoted(std::string_view text);
 
+/// `text` for XML 1.0, between tags or within quotes. Line ends and tabs stay (as character references);
+/// other control characters, which XML cannot hold, become U+FFFD.
+[[nodiscard]] std::string xmlEscaped(std::string_view text);
+
 /// JSON as a text file, with lists of numbers on one line if `indent` is -1.
 [[nodiscard]] std::string jsonText(const ExportJson& json, int indent = 1);
 

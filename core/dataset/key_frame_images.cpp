@@ -10,10 +10,13 @@
 
 #include "core/base/regular_file.h"
 #include "core/dataset/frame_fitness.h"
+#include "core/dataset/region_choice.h"
 #include "core/dataset/region_masks.h"
 #include "core/dataset/registered_depth.h"
 #include "core/image/color_bytes.h"
+#include "core/image/image_file.h"
 #include "core/image/image_header.h"
+#include "core/image/jpeg_encoder.h"
 #include "core/image/png_encoder.h"
 
 namespace scantrove {
@@ -38,6 +41,12 @@ Result<void> takeImage(LabeledImage& image, const cv::Mat& color) {
   image.image_bytes = is_kept ? withoutOrientation(std::move(*bytes)) : encodePng(color);
   image.image_name = image.stem + (is_jpeg ? ".jpg" : ".png");
   return {};
+}
+
+Result<cv::Mat> decodedImage(const LabeledImage& image) {
+  return decodeColorImage(
+      {reinterpret_cast<const std::uint8_t*>(image.image_bytes.data()), image.image_bytes.size()},
+      image.frame.color_file.string());
 }
 
 void keepOnly(cv::Mat& regions, const std::unordered_set<int>& kept) {
@@ -145,6 +154,7 @@ Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabe
   const auto frames = framesToExport(job, needs_color);
   if (!frames) return fail(frames.error());
   const std::unordered_set<int> kept = idsOf(job.chosen());
+  for (const LabeledRegion& region : job.chosen()) job.countOf(classOf(region));
   const auto total = static_cast<int>(frames->size());
   const int checked = job.options().include_unfit ? 0 : total;  // steps of findUnfit()
   int done = 0;
@@ -156,6 +166,7 @@ Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabe
       continue;
     }
     SCANTROVE_TRY(labelImage(scan, *read, kept));
+    job.beginImage();
     SCANTROVE_TRY(use(read->image));
     ++job.summary().images;
   }
@@ -164,6 +175,19 @@ Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabe
   if (job.summary().unfit > 0) advice = "Export unfit frames, too: --include-unfit-frames.";
   return fail("No key frame of the scan " + scan.name() + " can be used. " + job.summary().skipped.front(),
               std::move(advice));
+}
+
+Result<std::string> asJpeg(const LabeledImage& image) {
+  if (image.image_name.ends_with(".jpg")) return image.image_bytes;
+  constexpr int kQuality = 95;
+  const auto color = decodedImage(image);
+  return color ? Result<std::string>(encodeJpeg(*color, kQuality)) : fail(color.error());
+}
+
+Result<std::string> asPng(const LabeledImage& image) {
+  if (image.image_name.ends_with(".png")) return image.image_bytes;
+  const auto color = decodedImage(image);
+  return color ? Result<std::string>(encodePng(*color)) : fail(color.error());
 }
 
 std::vector<std::uint32_t> visibleRegions(const cv::Mat& regions) {

@@ -26,6 +26,11 @@ struct LabeledImage {
   [[nodiscard]] cv::Mat maskOf(std::uint32_t region) const { return regions == static_cast<int>(region); }
 };
 
+/// The colour image (not empty) for formats with one type of file: its bytes if they have that type, else
+/// converted; to JPEG with quality 95. Error: it cannot be decoded.
+[[nodiscard]] Result<std::string> asJpeg(const LabeledImage& image);
+[[nodiscard]] Result<std::string> asPng(const LabeledImage& image);
+
 /// A key frame without labels.
 struct KeyFrameImage {
   LabeledImage image;

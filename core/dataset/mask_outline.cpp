@@ -3,26 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
+#include <utility>
 
 namespace scantrove {
 namespace {
 
 using Ring = std::vector<cv::Point>;
 
-constexpr double kMinPart = 0.02;
+constexpr double kMaxLeftOut = 0.02;
 constexpr double kMinPart_px = 9;
+constexpr std::size_t kMaxRings = 64;
+/// Pairs of pixels compared for one bridge; more are thinned out.
+constexpr std::size_t kMaxPairs = 1'000'000;
 
-/// Pixels inside a ring, including those on it (Pick's theorem).
+/// Pixels inside a ring of neighbouring pixels, including those on it (Pick's theorem).
 double pixelsWithin(const Ring& ring) {
-  const double area = cv::contourArea(ring);
-  double steps = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const cv::Point d = ring[(i + 1) % ring.size()] - ring[i];
-    steps += std::max(std::abs(d.x), std::abs(d.y));
-  }
-  return area + steps / 2 + 1;
+  return cv::contourArea(ring) + static_cast<double>(ring.size()) / 2 + 1;
 }
 
 /// Pixels of the hole inside a ring; those on the ring do not belong to it.
@@ -30,67 +30,97 @@ double pixelsOfHole(const Ring& ring) {
   return std::max(1.0, 2 * cv::contourArea(ring) + 2 - pixelsWithin(ring));
 }
 
+/// The rings of parts and holes that the outline has, largest first; the first one is a part. Inner rings are
+/// smaller than those around them, so no ring stays whose surroundings are left out.
+std::vector<Ring> ringsOf(const cv::Mat& mask) {
+  std::vector<Ring> all;
+  std::vector<cv::Vec4i> hierarchy;
+  cv::findContours(mask, all, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+  std::vector<double> pixels;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    pixels.push_back(hierarchy[i][3] < 0 ? pixelsWithin(all[i]) : pixelsOfHole(all[i]));
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const bool is_hole_a = hierarchy[a][3] >= 0, is_hole_b = hierarchy[b][3] >= 0;
+    return std::tuple(-pixels[a], is_hole_a, a) < std::tuple(-pixels[b], is_hole_b, b);
+  });
+  const double budget = kMaxLeftOut * cv::countNonZero(mask);
+  double left_out = 0;
+  while (order.size() > 1) {
+    const double smallest = pixels[order.back()];
+    const bool is_small = smallest < kMinPart_px || left_out + smallest <= budget;
+    if (!is_small && order.size() <= kMaxRings) break;
+    left_out += smallest;
+    order.pop_back();
+  }
+  std::vector<Ring> rings;
+  for (const std::size_t i : order) rings.push_back(std::move(all[i]));
+  return rings;
+}
+
+/// The nearest pixels of the outline and of a ring that is not connected yet.
 struct Bridge {
-  std::size_t from = 0, ring = 0, to = 0;
+  cv::Point from, to;
   int squared = std::numeric_limits<int>::max();
 };
 
-/// The shortest bridge from the outline to a ring that is not connected yet.
-Bridge shortestBridge(const Ring& outline, const std::vector<Ring>& rings) {
-  Bridge best;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    for (std::size_t j = 0; j < rings[r].size(); ++j) {
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const cv::Point d = outline[i] - rings[r][j];
-        const int squared = d.dot(d);
-        if (squared < best.squared) best = {i, r, j, squared};
-      }
+void shorten(Bridge& bridge, const Ring& connected, const Ring& ring) {
+  std::size_t step = 1;
+  while ((connected.size() / step) * (ring.size() / step) > kMaxPairs) ++step;
+  for (std::size_t i = 0; i < connected.size(); i += step) {
+    for (std::size_t j = 0; j < ring.size(); j += step) {
+      const cv::Point d = connected[i] - ring[j];
+      const int squared = d.dot(d);
+      if (squared < bridge.squared) bridge = {connected[i], ring[j], squared};
     }
   }
-  return best;
 }
 
 /// Inserts the bridge, the ring, and the bridge back.
 void join(Ring& outline, const Bridge& bridge, Ring ring) {
-  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(bridge.to), ring.end());
+  std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), bridge.to), ring.end());
   ring.push_back(ring.front());
-  ring.push_back(outline[bridge.from]);
-  outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(bridge.from) + 1, ring.begin(), ring.end());
+  ring.push_back(bridge.from);
+  const auto from = std::find(outline.begin(), outline.end(), bridge.from);
+  outline.insert(from + 1, ring.begin(), ring.end());
+}
+
+/// Without the points amid straight edges; where the outline turns back stays a corner.
+Ring cornersOf(const Ring& outline) {
+  Ring corners;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const cv::Point next = outline[(i + 1) % outline.size()];
+    if (next == outline[i]) continue;
+    const cv::Point previous = corners.empty() ? outline.back() : corners.back();
+    const cv::Point in = outline[i] - previous, out = next - outline[i];
+    const bool is_straight = in.cross(out) == 0 && in.dot(out) > 0;
+    if (!is_straight) corners.push_back(outline[i]);
+  }
+  return corners;
 }
 
 }  // namespace
 
 std::vector<cv::Point> outlineOf(const cv::Mat& mask) {
-  std::vector<Ring> all;
-  std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(mask, all, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE);
-  const double least = std::max(kMinPart_px, kMinPart * cv::countNonZero(mask));
-  std::vector<Ring> rings;
-  std::vector<bool> is_kept(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const int parent = hierarchy[i][3];
-    if (parent < 0) is_kept[i] = pixelsWithin(all[i]) >= least;
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const int parent = hierarchy[i][3];
-    if (parent >= 0) is_kept[i] = is_kept[static_cast<std::size_t>(parent)] && pixelsOfHole(all[i]) >= least;
-    if (is_kept[i]) rings.push_back(all[i]);
-  }
-  if (rings.empty()) {  // the largest part, however small
-    const auto largest = std::max_element(all.begin(), all.end(), [](const Ring& a, const Ring& b) {
-      return pixelsWithin(a) < pixelsWithin(b);
-    });
-    if (largest != all.end()) rings.push_back(*largest);
-  }
+  std::vector<Ring> rings = ringsOf(mask);
   if (rings.empty()) return {};
   Ring outline = rings.front();
-  rings.erase(rings.begin());
-  while (!rings.empty()) {
-    const Bridge bridge = shortestBridge(outline, rings);
-    join(outline, bridge, rings[bridge.ring]);
-    rings.erase(rings.begin() + static_cast<std::ptrdiff_t>(bridge.ring));
+  std::vector<Bridge> bridges(rings.size());  // by ring: the nearest place of the outline so far
+  std::vector<std::size_t> open(rings.size() - 1);
+  std::iota(open.begin(), open.end(), std::size_t{1});
+  std::size_t last = 0;
+  while (!open.empty()) {
+    for (const std::size_t i : open) shorten(bridges[i], rings[last], rings[i]);
+    const auto nearest = std::min_element(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
+      return bridges[a].squared < bridges[b].squared;
+    });
+    last = *nearest;
+    open.erase(nearest);
+    join(outline, bridges[last], rings[last]);
   }
-  return outline.size() >= 3 ? outline : Ring{};
+  Ring corners = cornersOf(outline);
+  return corners.size() >= 3 ? corners : Ring{};
 }
 
 }  // namespace scantrove

@@ -31,23 +31,24 @@ cv::Mat asStored(const cv::Mat& image) {
   return stored;
 }
 
-}  // namespace
+using Encoder = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
 
-std::string encodePng(const cv::Mat& image) {
-  SCANTROVE_CHECK((image.type() == CV_16UC1 || image.type() == CV_8UC1 || image.type() == CV_8UC3) &&
-                  !image.empty());
-  const ImageSize size{static_cast<std::uint32_t>(image.cols), static_cast<std::uint32_t>(image.rows)};
+/// The PNG of `pixels`, whose rows have no padding. `palette`: none, or its colours.
+std::string encodePixels(const cv::Mat& pixels, std::uint8_t color_type, const spng_plte* palette) {
+  const ImageSize size{static_cast<std::uint32_t>(pixels.cols), static_cast<std::uint32_t>(pixels.rows)};
   if (const Result<void> fits = checkImageSize(size, "An image"); !fits)
     throw std::runtime_error(fits.error().message());
-  const cv::Mat pixels = asStored(image);
-  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder(spng_ctx_new(SPNG_CTX_ENCODER),
-                                                                    &spng_ctx_free);
+  const Encoder encoder(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free);
   spng_ihdr header{};
   header.width = size.width;
   header.height = size.height;
-  header.bit_depth = image.depth() == CV_16U ? 16 : 8;
-  header.color_type = image.channels() == 1 ? SPNG_COLOR_TYPE_GRAYSCALE : SPNG_COLOR_TYPE_TRUECOLOR;
+  header.bit_depth = pixels.depth() == CV_16U ? 16 : 8;
+  header.color_type = color_type;
   require(spng_set_ihdr(encoder.get(), &header));
+  if (palette != nullptr) {
+    spng_plte copy = *palette;
+    require(spng_set_plte(encoder.get(), &copy));
+  }
   require(spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1));
   require(spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, 1));
   require(spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_STRATEGY, Z_RLE));
@@ -60,6 +61,26 @@ std::string encodePng(const cv::Mat& image) {
                                                         &std::free);
   require(error);
   return {static_cast<const char*>(png.get()), bytes};
+}
+
+}  // namespace
+
+std::string encodePng(const cv::Mat& image) {
+  SCANTROVE_CHECK((image.type() == CV_16UC1 || image.type() == CV_8UC1 || image.type() == CV_8UC3) &&
+                  !image.empty());
+  const auto type = image.channels() == 1 ? SPNG_COLOR_TYPE_GRAYSCALE : SPNG_COLOR_TYPE_TRUECOLOR;
+  return encodePixels(asStored(image), static_cast<std::uint8_t>(type), nullptr);
+}
+
+std::string encodePalettePng(const cv::Mat& indices, std::span<const std::array<std::uint8_t, 3>> palette) {
+  constexpr std::size_t kMaxColors = 256;
+  SCANTROVE_CHECK(indices.type() == CV_8UC1 && !indices.empty());
+  SCANTROVE_CHECK(!palette.empty() && palette.size() <= kMaxColors);
+  spng_plte colors{};
+  colors.n_entries = static_cast<std::uint32_t>(palette.size());
+  for (std::size_t i = 0; i < palette.size(); ++i)
+    colors.entries[i] = {palette[i][0], palette[i][1], palette[i][2], 255};
+  return encodePixels(asStored(indices), SPNG_COLOR_TYPE_INDEXED, &colors);
 }
 
 }  // namespace scantrove

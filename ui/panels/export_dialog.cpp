@@ -17,6 +17,7 @@
 #include <QStandardPaths>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/overloaded.h"
@@ -27,6 +28,7 @@ namespace scantrove {
 namespace {
 
 const QString kFormatKey = QStringLiteral("export/format");
+const QString kLicenseKey = QStringLiteral("export/license");
 const QString kFolderKey = QStringLiteral("export/folder");
 constexpr int kPreviewDelay_ms = 200;
 constexpr int kDialogWidth_px = 560;
@@ -44,6 +46,16 @@ QString aboutFormat(DatasetFormat format) {
       return ExportDialog::tr("YOLO segments: outlines as polygons (ultralytics)");
     case DatasetFormat::masks:
       return ExportDialog::tr("Masks: a 16-bit image of region numbers per frame, and a list of names");
+    case DatasetFormat::voc:
+      return ExportDialog::tr("Pascal VOC: images, boxes as XML, and palette images (torchvision, CVAT)");
+    case DatasetFormat::labelstudio:
+      return ExportDialog::tr("Label Studio: images, and tasks with brush masks to import");
+    case DatasetFormat::boxes:
+      return ExportDialog::tr(
+          "3D boxes: upright boxes with the cloud (labelCloud) and for each frame (SUN RGB-D)");
+    case DatasetFormat::foundationpose:
+      return ExportDialog::tr(
+          "FoundationPose: a folder per object with images, depth, masks, poses and its model");
     case DatasetFormat::ply:
       return ExportDialog::tr("PLY: the labelled coloured cloud (CloudCompare, MeshLab)");
     case DatasetFormat::pcd:
@@ -69,6 +81,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
       all_frames_(new QCheckBox(tr("All &stored frames, not only key frames"))),
       background_(new QCheckBox(tr("Include &background and rejected regions"))),
       include_unfit_(new QCheckBox(tr("Include &unfit frames"))),
+      license_(new QLineEdit),
       sample_(new ExportSampleView),
       message_(new QLabel),
       bar_(new QProgressBar),
@@ -79,11 +92,15 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   setMinimumWidth(520);
   for (const std::string& known : datasetFormatNames())
     format_->addItem(QString::fromStdString(known).toUpper());
-  format_->setCurrentIndex(QSettings().value(kFormatKey, 0).toInt());
+  format_->setCurrentIndex(std::max(0, format_->findText(QSettings().value(kFormatKey).toString())));
   format_->setAccessibleName(tr("Format"));
   about_->setWordWrap(true);
   about_->setProperty("muted", true);
   folder_->setAccessibleName(tr("Folder"));
+  license_->setAccessibleName(tr("License"));
+  license_->setText(QSettings().value(kLicenseKey).toString());
+  license_->setPlaceholderText(tr("none, or for example CC BY 4.0"));
+  license_->setToolTip(tr("Written into the data set's README and LICENSE.txt"));
   message_->setWordWrap(true);
   message_->setObjectName(QStringLiteral("exportMessage"));
   include_unfit_->setToolTip(tr("Frames that are blurred, or whose depth and colour do not fit"));
@@ -103,6 +120,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   form->addRow(QString(), all_frames_);
   form->addRow(QString(), background_);
   form->addRow(QString(), include_unfit_);
+  form->addRow(tr("&License"), license_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(show_folder_);
   buttons->addStretch(1);
@@ -165,6 +183,7 @@ ExportOptions ExportDialog::options() const {
   options.all_frames = all_frames_->isChecked();
   options.background = background_->isChecked();
   options.include_unfit = include_unfit_->isChecked();
+  options.license = license_->text().trimmed().toStdString();
   return options;
 }
 
@@ -218,7 +237,8 @@ void ExportDialog::showPreview(const ExportPreview& preview) {
 
 void ExportDialog::begin() {
   done_folder_.clear();
-  QSettings().setValue(kFormatKey, format_->currentIndex());
+  QSettings().setValue(kFormatKey, format_->currentText());
+  QSettings().setValue(kLicenseKey, license_->text());
   QDir().mkpath(QFileInfo(folder_->text()).path());
   setWorking(true);
   message_->setText(tr("Exporting…"));
@@ -245,6 +265,7 @@ void ExportDialog::showDone(const ExportSummary& summary) {
     text += tr("\n%1 frames are not included: %2")
                 .arg(summary.skipped.size())
                 .arg(QString::fromStdString(summary.skipped.front()));
+  for (const std::string& note : summary.notes) text += QLatin1Char('\n') + QString::fromStdString(note);
   message_->setText(text);
   show_folder_->setVisible(true);
 }
@@ -259,7 +280,7 @@ void ExportDialog::setWorking(bool working) {
   bar_->setVisible(working);
   bar_->setMaximum(0);
   for (QWidget* widget : std::initializer_list<QWidget*>{format_, folder_, all_frames_, background_,
-                                                         include_unfit_, sample_, export_})
+                                                         include_unfit_, license_, sample_, export_})
     widget->setEnabled(!working);
   cancel_->setText(working ? tr("Cancel") : tr("Close"));
   show_folder_->setVisible(false);

@@ -60,6 +60,7 @@ class ExportDialog : public QDialog {
   QCheckBox* all_frames_;
   QCheckBox* background_;
   QCheckBox* include_unfit_;
+  QLineEdit* license_;
   ExportSampleView* sample_;
   QLabel* message_;
   QProgressBar* bar_;
