@@ -16,9 +16,10 @@ using Ring = std::vector<cv::Point>;
 
 constexpr double kMaxLeftOut = 0.02;
 constexpr double kMinPart_px = 9;
-constexpr std::size_t kMaxRings = 64;
-/// Pairs of pixels compared for one bridge; more are thinned out.
-constexpr std::size_t kMaxPairs = 1'000'000;
+constexpr std::size_t kMaxRings = 200;
+/// Pairs of pixels compared for one bridge. Of longer rings every n-th pixel is compared first, then those
+/// around the nearest.
+constexpr std::size_t kMaxPairs = 20'000;
 
 /// Pixels inside a ring of neighbouring pixels, including those on it (Pick's theorem).
 double pixelsWithin(const Ring& ring) {
@@ -65,16 +66,38 @@ struct Bridge {
   int squared = std::numeric_limits<int>::max();
 };
 
+/// Places of a ring: every `step`-th from `begin` to `end`.
+struct Places {
+  std::size_t begin, end, step;
+};
+
+/// Indices of the nearest pixels, compared at these places; `best` as it was if there are none nearer.
+std::pair<std::size_t, std::size_t> nearestPixels(const Ring& a, const Places& of_a, const Ring& b,
+                                                  const Places& of_b, Bridge& best) {
+  std::pair<std::size_t, std::size_t> found{a.size(), b.size()};
+  for (std::size_t i = of_a.begin; i < of_a.end; i += of_a.step) {
+    for (std::size_t j = of_b.begin; j < of_b.end; j += of_b.step) {
+      const cv::Point d = a[i] - b[j];
+      const int squared = d.dot(d);
+      if (squared >= best.squared) continue;
+      best = {a[i], b[j], squared};
+      found = {i, j};
+    }
+  }
+  return found;
+}
+
 void shorten(Bridge& bridge, const Ring& connected, const Ring& ring) {
   std::size_t step = 1;
   while ((connected.size() / step) * (ring.size() / step) > kMaxPairs) ++step;
-  for (std::size_t i = 0; i < connected.size(); i += step) {
-    for (std::size_t j = 0; j < ring.size(); j += step) {
-      const cv::Point d = connected[i] - ring[j];
-      const int squared = d.dot(d);
-      if (squared < bridge.squared) bridge = {connected[i], ring[j], squared};
-    }
-  }
+  Bridge coarse;
+  const auto [i, j] =
+      nearestPixels(connected, {0, connected.size(), step}, ring, {0, ring.size(), step}, coarse);
+  const auto around = [step](std::size_t place, const Ring& all) {
+    return Places{place > step ? place - step : 0, std::min(place + step + 1, all.size()), 1};
+  };
+  if (step > 1) nearestPixels(connected, around(i, connected), ring, around(j, ring), coarse);
+  if (coarse.squared < bridge.squared) bridge = coarse;
 }
 
 /// Inserts the bridge, the ring, and the bridge back.
@@ -112,11 +135,11 @@ std::vector<cv::Point> outlineOf(const cv::Mat& mask) {
   std::size_t last = 0;
   while (!open.empty()) {
     for (const std::size_t i : open) shorten(bridges[i], rings[last], rings[i]);
-    const auto nearest = std::min_element(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
+    const auto next = std::min_element(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
       return bridges[a].squared < bridges[b].squared;
     });
-    last = *nearest;
-    open.erase(nearest);
+    last = *next;
+    open.erase(next);
     join(outline, bridges[last], rings[last]);
   }
   Ring corners = cornersOf(outline);

@@ -161,11 +161,12 @@ TEST_F(SessionCommandTest, ExportsEveryDataSetFormat) {
   ASSERT_EQ(
       session({"name", "--region", std::to_string(byDecreasingSize().at(3)), "--name", "mug"}).exit_code, 0);
   const std::string before = regionTable();
-  for (const char* format : {"coco", "bop", "yolo", "masks", "ply", "pcd", "mesh", "tum", "scannet"}) {
+  for (const char* format : {"coco", "bop", "yolo", "masks", "voc", "labelstudio", "boxes", "foundationpose",
+                             "ply", "pcd", "mesh", "tum", "scannet"}) {
     const fs::path out = folder_ / (std::string("as_") + format);
     const Finished run = scantrove({"export", scan_, "--format", format, "--out", out});
     EXPECT_EQ(run.exit_code, 0) << format << ": " << run.err;
-    EXPECT_FALSE(fs::is_empty(out)) << format;
+    EXPECT_TRUE(fs::exists(out / "README.md")) << format;
   }
   EXPECT_EQ(regionTable(), before) << "an export changes nothing";
   const Json coco = Json::parse(readText(folder_ / "as_coco" / "annotations" / "instances.json"));
@@ -173,6 +174,25 @@ TEST_F(SessionCommandTest, ExportsEveryDataSetFormat) {
   EXPECT_GE(coco["annotations"].size(), 1U);
   expectJobFailure(scantrove({"export", scan_, "--format", "coco", "--out", folder_ / "as_coco"}),
                    {"as_coco"});
+}
+
+TEST_F(SessionCommandTest, ExportPrintsCountsOfClasses_AsJson) {
+  ASSERT_EQ(
+      session({"name", "--region", std::to_string(byDecreasingSize().at(3)), "--name", "mug"}).exit_code, 0);
+  const fs::path out = folder_ / "counted";
+  const Json summary = jsonOf(
+      scantrove({"export", scan_, "--format", "coco", "--license", "CC0 1.0", "--json", "--out", out}));
+  EXPECT_EQ(summary["format"], "coco");
+  EXPECT_EQ(summary["folder"], fs::canonical(out).string());
+  const Json coco = Json::parse(readText(out / "annotations" / "instances.json"));
+  EXPECT_EQ(summary["images"], coco["images"].size());
+  EXPECT_EQ(summary["annotations"], coco["annotations"].size());
+  EXPECT_EQ(coco["licenses"][0]["name"], "CC0 1.0");
+  std::uint64_t pixels = 0, area = 0;
+  for (const Json& count : summary["classes"]) pixels += count["pixels"].get<std::uint64_t>();
+  for (const Json& annotation : coco["annotations"]) area += annotation["area"].get<std::uint64_t>();
+  EXPECT_EQ(pixels, area);
+  EXPECT_EQ(readText(out / "LICENSE.txt"), "CC0 1.0\n");
 }
 
 TEST_F(SessionCommandTest, NamedRegionBecomesAnObjectOfTheCatalogue) {

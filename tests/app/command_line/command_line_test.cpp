@@ -192,8 +192,17 @@ TEST(CommandLine, RefusesExports_WhenOptionsContradict) {
   expectRefused(parse({"export", "--database", "db", "--include-blurred", "--out", "x"}),
                 {"--include-unfit-frames"});
   expectRefused(parse({"export", "--database", "db", "--format", "coco", "--out", "x"}), {"--format"});
+  expectRefused(parse({"export", "--database", "db", "--license", "CC0", "--out", "x"}), {"--license"});
   expectRefused(parse({"export", "scan", "--out", "x"}), {"--format"});
   expectRefused(parse({"export", "scan", "--format", "ply", "--centred", "--out", "x"}), {"--centred"});
+}
+
+TEST(CommandLine, AcceptsEveryFormatOfExports) {
+  for (const char* format : {"coco", "bop", "yolo", "masks", "voc", "labelstudio", "boxes", "foundationpose",
+                             "ply", "pcd", "mesh", "tum", "scannet"}) {
+    expectCommand(
+        parse({"export", "scan", "--format", format, "--license", "CC BY 4.0", "--json", "--out", "x"}));
+  }
 }
 
 TEST(CommandLine, SuggestionsNeedAFolderOfMasks) {

@@ -1,7 +1,9 @@
 #include <QCheckBox>
+#include <QComboBox>
 #include <QCompleter>
 #include <QDir>
 #include <QFile>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <algorithm>
@@ -197,6 +199,20 @@ TEST_F(WindowTest, ExportDialogIncludesUnfitFrames_WhenTicked) {
   EXPECT_TRUE(dialog.options().include_unfit);
   EXPECT_FALSE(dialog.options().all_frames);
   EXPECT_FALSE(dialog.options().background);
+}
+
+TEST_F(WindowTest, ExportDialogOffersEveryFormatAndALicense) {
+  const ExportDialog dialog(QStringLiteral("kitchen"), window_.get());
+  auto* format = dialog.findChild<QComboBox*>();
+  ASSERT_NE(format, nullptr);
+  ASSERT_EQ(format->count(), static_cast<int>(datasetFormatNames().size()));
+  format->setCurrentIndex(format->findText(QStringLiteral("FOUNDATIONPOSE")));
+  EXPECT_EQ(dialog.options().format, DatasetFormat::foundationpose);
+  EXPECT_TRUE(dialog.options().license.empty());
+  for (QLineEdit* field : dialog.findChildren<QLineEdit*>()) {
+    if (field->accessibleName() == QStringLiteral("License")) field->setText(QStringLiteral(" CC BY 4.0 "));
+  }
+  EXPECT_EQ(dialog.options().license, "CC BY 4.0");
 }
 
 TEST_F(WindowTest, CompletionListHasTheColorsOfTheTheme) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "core/dataset/silhouette.h"
@@ -82,6 +83,47 @@ TEST_F(CocoExportTest, HasMasksOfTheScene) {
     const cv::Rect box = boxOf(mask);
     EXPECT_EQ(annotation["bbox"], Json({box.x, box.y, box.width, box.height}));
   }
+}
+
+TEST_F(CocoExportTest, CountsClassesAsTheFileHasThem) {
+  std::map<std::string, ClassCount> expected;
+  std::set<std::pair<int, int>> seen;
+  const Json file = exported().json("annotations/instances.json");
+  for (const Json& annotation : file["annotations"]) {
+    const int category = annotation["category_id"].get<int>();
+    const std::string name = category == file["categories"][0]["id"] ? "ball" : "box";
+    ClassCount& count = expected[name];
+    count.images += seen.insert({category, annotation["image_id"].get<int>()}).second ? 1 : 0;
+    ++count.instances;
+    count.pixels += annotation["area"].get<std::uint64_t>();
+  }
+  ASSERT_EQ(exported().summary.classes.size(), 2U);
+  for (const ClassCount& count : exported().summary.classes) {
+    EXPECT_EQ(count.images, expected[count.name].images) << count.name;
+    EXPECT_EQ(count.instances, expected[count.name].instances) << count.name;
+    EXPECT_EQ(count.pixels, expected[count.name].pixels) << count.name;
+  }
+}
+
+TEST_F(CocoExportTest, HasNoLicense_WhenNoneWasGiven) {
+  const Json file = exported().json("annotations/instances.json");
+  EXPECT_TRUE(file["licenses"].empty());
+  for (const Json& image : file["images"]) EXPECT_FALSE(image.contains("license"));
+  EXPECT_GE(file["info"]["year"].get<int>(), 2024);
+}
+
+TEST(CocoExport, HasTheLicense_WhenGiven) {
+  ScannedScene scene;
+  scene.frames = 1;
+  const TemporaryFolder home;
+  ASSERT_TRUE(exportDataset(scene, {.format = DatasetFormat::coco,
+                                    .folder = home / "out",
+                                    .license = "CC BY 4.0\nhttps://creativecommons.org/licenses/by/4.0/"}));
+  const Json file = Json::parse(readText(home / "out" / "annotations" / "instances.json"));
+  ASSERT_EQ(file["licenses"].size(), 1U);
+  EXPECT_EQ(file["licenses"][0]["name"], "CC BY 4.0");
+  EXPECT_EQ(file["licenses"][0]["url"], "https://creativecommons.org/licenses/by/4.0/");
+  EXPECT_EQ(file["images"][0]["license"], file["licenses"][0]["id"]);
 }
 
 TEST(CocoExport, IncludesBackgroundAndRejectedRegions_WhenRequested) {

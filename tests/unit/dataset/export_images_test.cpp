@@ -11,7 +11,7 @@ namespace scantrove::test {
 namespace {
 
 constexpr std::array kImageFormats{DatasetFormat::coco, DatasetFormat::bop, DatasetFormat::yolo,
-                                   DatasetFormat::masks};
+                                   DatasetFormat::masks, DatasetFormat::labelstudio};
 
 /// One key frame whose colour image is `make(recorded bytes)`.
 std::function<void(ScannedScene&)> withImage(const std::function<std::string(const std::string&)>& make) {

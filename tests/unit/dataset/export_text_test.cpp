@@ -5,6 +5,14 @@
 namespace scantrove {
 namespace {
 
+TEST(XmlEscaped, LeavesNoMarkupAndNoControlCharacters) {
+  EXPECT_EQ(xmlEscaped("a<b>&\"c\" 'd'"), "a&#60;b&#62;&#38;&#34;c&#34; &#39;d&#39;");
+  EXPECT_EQ(xmlEscaped("two\r\nlines\tand a tab"), "two&#13;&#10;lines&#9;and a tab");
+  EXPECT_EQ(xmlEscaped(std::string("nul\0bell\a", 9)), "nul\uFFFDbell\uFFFD");
+  EXPECT_EQ(xmlEscaped("Gefäß 箱 📦"), "Gefäß 箱 📦");
+  EXPECT_EQ(xmlEscaped("\xFF"), "\uFFFD");
+}
+
 TEST(SafeFileName, KeepsLettersAndReplacesSpecialCharacters) {
   EXPECT_EQ(safeFileName(12, "red cup"), "000012_red_cup");
   EXPECT_EQ(safeFileName(12, "Gefäß 箱 📦"), "000012_Gefäß_箱_📦");

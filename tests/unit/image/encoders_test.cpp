@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -27,6 +29,23 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
 
 cv::Mat byOpenCv(const std::string& bytes) {
   return cv::imdecode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
+}
+
+TEST(EncodePalettePng, ReadsBackAsTheColors) {
+  std::vector<std::array<std::uint8_t, 3>> palette{{0, 0, 0}, {128, 0, 0}, {10, 20, 30}};
+  cv::Mat indices(17, 23, CV_8UC1);
+  cv::randu(indices, 0, 3);
+  const std::string png = encodePalettePng(indices, palette);
+  EXPECT_EQ(static_cast<int>(png[24]), 8);
+  EXPECT_EQ(static_cast<int>(png[25]), 3) << "colour type: palette";
+  const cv::Mat shown = cv::imdecode(std::vector<std::uint8_t>(png.begin(), png.end()), cv::IMREAD_COLOR);
+  ASSERT_EQ(shown.size(), indices.size());
+  for (int y = 0; y < indices.rows; ++y) {
+    for (int x = 0; x < indices.cols; ++x) {
+      const auto& rgb = palette[indices.at<std::uint8_t>(y, x)];
+      ASSERT_EQ(shown.at<cv::Vec3b>(y, x), cv::Vec3b(rgb[2], rgb[1], rgb[0]));
+    }
+  }
 }
 
 TEST(EncodePng, ReadsBackEqual_WithOpenCvAndOwnDecoder) {
