@@ -44,7 +44,7 @@ struct ExportOptions {
   bool all_frames = false;       ///< every stored frame, not only key frames
   bool background = false;       ///< include regions that are background or rejected
   bool include_unfit = false;    ///< include frames that are blurred, or whose depth and colour do not fit
-  std::string license;           ///< name or text; empty: none was given
+  std::string license = {};      ///< name or text; empty: none was given
 };
 
 /// The progress of an export: `done` of `total` steps, and the next one ("frame 120").

@@ -9,6 +9,7 @@
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/silhouette.h"
+#include "core/exchange/region_palette.h"
 #include "core/image/png_encoder.h"
 
 namespace scantrove {

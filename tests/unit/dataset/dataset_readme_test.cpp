@@ -7,19 +7,6 @@
 namespace scantrove::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// A scene small enough for many exports.
-struct SmallScene : ScannedScene {
-  SmallScene() {
-    K_depth = K_depth.resizedTo(80, 60);
-    K_color = K_color.resizedTo(160, 120);
-    frames = 2;
-  }
-};
-
 TEST(DatasetReadme, SaysWhatTheDataSetIs_ForEachFormat) {
   SmallScene scene;
   const TemporaryFolder home;

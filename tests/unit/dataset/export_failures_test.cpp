@@ -21,20 +21,7 @@ constexpr DatasetFormat kAll[] = {
     DatasetFormat::ply,    DatasetFormat::pcd,         DatasetFormat::mesh,  DatasetFormat::tum,
     DatasetFormat::scannet};
 
-/// A scene small enough for many exports.
-struct SmallScene : ScannedScene {
-  SmallScene() {
-    K_depth = K_depth.resizedTo(80, 60);
-    K_color = K_color.resizedTo(160, 120);
-    frames = 2;
-  }
-};
-
 std::string nameOf(DatasetFormat format) { return datasetFormatNames()[static_cast<std::size_t>(format)]; }
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(ParseDatasetFormat, RecognizesAllNames) {
   EXPECT_EQ(datasetFormatNames().size(), std::size(kAll));

@@ -98,7 +98,7 @@ TEST_F(FoundationPoseExportTest, PosesAreThoseOfTheScene) {
         exported().scene.T_color_depth * exported().scene.poseOf(frame).inverse();
     EXPECT_LT((T.topRightCorner<3, 1>() - T_color_world * kBallCenter).norm(), 1e-3) << frame;
     EXPECT_LT((T.block<3, 1>(0, 2) - T_color_world.linear().col(2)).norm(), 0.02) << "z is up in " << frame;
-    EXPECT_NEAR(T.topLeftCorner<3, 3>().determinant(), 1, 1e-6);
+    EXPECT_NEAR((T.topLeftCorner<3, 3>().determinant()), 1, 1e-6);
     EXPECT_EQ(T.row(3), Eigen::RowVector4d(0, 0, 0, 1));
   }
 }

@@ -15,6 +15,19 @@ namespace scantrove::test {
 
 using Json = nlohmann::ordered_json;
 
+/// A scene small enough for many exports.
+struct SmallScene : ScannedScene {
+  SmallScene() {
+    K_depth = K_depth.resizedTo(80, 60);
+    K_color = K_color.resizedTo(160, 120);
+    frames = 2;
+  }
+};
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// A scan exported to a temporary folder.
 struct Exported {
   ScannedScene scene;

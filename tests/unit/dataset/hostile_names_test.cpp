@@ -27,15 +27,7 @@ const std::vector<std::string> kNames{"../../escaped",
                                       "con",
                                       "-rf"};
 
-struct SmallScene : ScannedScene {
-  SmallScene() {
-    K_depth = K_depth.resizedTo(80, 60);
-    K_color = K_color.resizedTo(160, 120);
-    frames = 1;
-  }
-};
-
-void name(ScannedScene& scene, const std::string& hostile) {
+void giveName(ScannedScene& scene, const std::string& hostile) {
   scene.labels[0].name = hostile;            // the ball, by its name
   scene.labels[2].category = hostile + "2";  // the box, by its class
   scene.scan_name = hostile;
@@ -46,7 +38,8 @@ TEST(HostileNames, LeaveNoFileOutsideTheFolder) {
     const TemporaryFolder home;
     fs::create_directories(home / "inner");
     SmallScene scene;
-    name(scene, hostile);
+    scene.frames = 1;
+    giveName(scene, hostile);
     for (const std::string& format : datasetFormatNames()) {
       const fs::path out = home / "inner" / format;
       const auto result = exportDataset(scene, {.format = *parseDatasetFormat(format), .folder = out});
@@ -69,7 +62,8 @@ TEST(HostileNames, LeaveNoFileOutsideTheFolder) {
 TEST(HostileNames, AreReadableInJson) {
   for (const std::string& hostile : kNames) {
     SmallScene scene;
-    name(scene, hostile);
+    scene.frames = 1;
+    giveName(scene, hostile);
     const TemporaryFolder home;
     ASSERT_TRUE(exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "coco"}));
     const Json file = Json::parse(readText(home / "coco" / "annotations" / "instances.json"));
@@ -82,6 +76,7 @@ TEST(HostileNames, AreReadableInJson) {
 TEST(ExportedNumbers, DoNotDependOnTheOrderOfRegions) {
   const auto instancesOf = [](bool reversed) {
     SmallScene scene;
+    scene.frames = 1;
     if (reversed) std::reverse(scene.labels.begin(), scene.labels.end());
     const TemporaryFolder home;
     EXPECT_TRUE(exportDataset(scene, {.format = DatasetFormat::boxes, .folder = home / "boxes"}));
@@ -101,7 +96,8 @@ TEST(ExportedNumbers, DoNotDependOnNames) {
   std::set<std::set<std::string>> folders;
   for (const std::string& hostile : kNames) {
     SmallScene scene;
-    name(scene, hostile);
+    scene.frames = 1;
+    giveName(scene, hostile);
     const TemporaryFolder home;
     ASSERT_TRUE(exportDataset(scene, {.format = DatasetFormat::foundationpose, .folder = home / "out"}));
     std::set<std::string> numbers;
