@@ -111,7 +111,7 @@ std::string_view aboutFiles(DatasetFormat format) {
 std::string markdown(std::string_view text) {
   std::string escaped;
   for (const char c : onOneLine(text)) {
-    if (std::string_view("\\`*_{}[]<>()#+-.!|&~").find(c) != std::string_view::npos) escaped += '\\';
+    if (std::string_view("\\`*_[]<>#|&~").find(c) != std::string_view::npos) escaped += '\\';
     escaped += c;
   }
   return escaped;

@@ -56,13 +56,12 @@ class BoxFit {
   std::vector<double> values_;
 };
 
-/// The yaw of least base between `from` and `from + count * step`. Round objects keep the first: another
-/// must be better by one in a thousand.
+/// The yaw of least base among `from`, `from + step`, ...
 double leastBase(BoxFit& fit, double from, double step, int count) {
   double best = from, least = fit.baseAt(from);
   for (int i = 1; i < count; ++i) {
     const double base = fit.baseAt(from + i * step);
-    if (base >= 0.999 * least) continue;
+    if (base >= least) continue;
     least = base;
     best = from + i * step;
   }
@@ -83,9 +82,10 @@ UprightBox fitUprightBox(std::span<const Eigen::Vector3f> points) {
   constexpr double kDegree = kPi / 180;
   const double coarse = leastBase(fit, 0, 2 * kDegree, 45);
   const double fine = leastBase(fit, coarse - 2 * kDegree, kDegree / 4, 17);
-  // The coarse yaw stays unless a finer one is better, so that a round object keeps 0.
-  const bool is_better = fit.baseAt(fine) < 0.999 * fit.baseAt(coarse);
-  UprightBox box = fit.atYaw(is_better ? fine : coarse);
+  // Round objects have no yaw; a box gains two percent from half a degree.
+  constexpr double kMinGain = 0.02;
+  const bool has_yaw = fit.baseAt(fine) < (1 - kMinGain) * fit.baseAt(0);
+  UprightBox box = fit.atYaw(has_yaw ? fine : 0);
   if (box.size.x() < box.size.y()) {
     std::swap(box.size.x(), box.size.y());
     box.yaw_rad += kPi / 2;
