@@ -11,15 +11,16 @@ namespace scantrove {
 namespace {
 
 using Kind = OperationKind;
-constexpr std::array<std::pair<Kind, std::string_view>, 9> kKinds{{{Kind::name, "name"},
-                                                                   {Kind::accept, "accept"},
-                                                                   {Kind::join, "join"},
-                                                                   {Kind::cut, "cut"},
-                                                                   {Kind::finer, "finer"},
-                                                                   {Kind::coarser, "coarser"},
-                                                                   {Kind::background, "background"},
-                                                                   {Kind::object, "object"},
-                                                                   {Kind::reject, "reject"}}};
+constexpr std::array<std::pair<Kind, std::string_view>, 10> kKinds{{{Kind::name, "name"},
+                                                                    {Kind::accept, "accept"},
+                                                                    {Kind::join, "join"},
+                                                                    {Kind::cut, "cut"},
+                                                                    {Kind::finer, "finer"},
+                                                                    {Kind::coarser, "coarser"},
+                                                                    {Kind::background, "background"},
+                                                                    {Kind::object, "object"},
+                                                                    {Kind::reject, "reject"},
+                                                                    {Kind::paint, "paint"}}};
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include "core/base/ids.h"
 #include "core/base/result.h"
+#include "core/editing/mask_correction.h"
 
 namespace scantrove {
 
@@ -20,7 +21,8 @@ enum class OperationKind {
   coarser,     ///< joins this region with its most likely neighbour
   background,  ///< wall, floor, table: not an object; by default not in data sets
   object,      ///< an object, complete or not
-  reject       ///< not an object, and not to be proposed again
+  reject,      ///< not an object, and not to be proposed again
+  paint        ///< corrects the mask of the region in one image, and the regions behind it
 };
 
 [[nodiscard]] std::string_view toString(OperationKind kind);
@@ -36,13 +38,14 @@ enum class EditDirection { done, undone, redone };
 /// An operation as data.
 struct Operation {
   OperationKind kind = OperationKind::name;
-  std::vector<RegionId> regions;                 ///< join: the first keeps its identity; cut: the one to cut
+  std::vector<RegionId> regions = {};            ///< join: the first keeps its identity; cut, paint: the one
   std::string name = {}, category = {};          ///< of name and accept; empty removes it
   bool on = true;                                ///< of background, object and reject; false takes it back
   std::vector<Eigen::Vector3f> here_world = {};  ///< of a cut: places on the surface, metres
   /// Of a cut: places on the other side, metres; none: what surrounds `here` in other colours.
   std::vector<Eigen::Vector3f> there_world = {};
-  int frame = -1;  ///< number of frames scanned before it
+  int frame = -1;                                 ///< number of frames scanned before it
+  std::optional<MaskCorrection> correction = {};  ///< of paint
 
   bool operator==(const Operation&) const = default;
 };

@@ -60,12 +60,14 @@ void OperationLog::extend(int number, const OperationEffect& more) {
 void OperationLog::forget(FragmentId fragment) {
   for (std::size_t place = 0; place < entries_.size(); ++place) {
     OperationEffect& effect = entries_[place].effect;
+    const bool is_anchor = effect.anchor && effect.anchor == fragment;
+    if (is_anchor) effect.anchor = {};
     const auto gone =
         std::erase_if(effect.moves, [=](const auto& move) { return move.fragment == fragment; }) +
         std::erase_if(effect.constraints, [=](const auto& constraint) {
           return constraint.a == fragment || constraint.b == fragment;
         });
-    if (gone > 0) noteChange(place);
+    if (gone > 0 || is_anchor) noteChange(place);
   }
 }
 

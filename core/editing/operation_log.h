@@ -21,9 +21,13 @@ struct OperationEffect {
     RegionNote before, after;
     bool operator==(const Note&) const = default;
   };
-  std::vector<RegionMove> moves;
-  std::vector<UserConstraint> constraints;
-  std::vector<Note> notes;
+  std::vector<RegionMove> moves = {};
+  std::vector<UserConstraint> constraints = {};
+  std::vector<Note> notes = {};
+  // Of paint:
+  /// A fragment of the painted region, which tells what region that has become; none: it was freed.
+  FragmentId anchor = {};
+  std::vector<RegionId> created = {};  ///< new regions of what was painted out
 
   bool operator==(const OperationEffect&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/editing/region_painter.h"
 #include "core/editing/stroke_surroundings.h"
 #include "core/editing/surface_split.h"
 #include "core/labeling/region_partition.h"
@@ -63,7 +64,8 @@ RegionNote joinedNote(const RegionNote& into, const RegionNote& from) {
 
 }  // namespace
 
-Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& given, const LabelingParams& params) {
+Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& given, const LabelingParams& params,
+                                                  const PaintedSurface* painted) {
   const Result<Operation> checked = withCheckedNames(given);
   if (!checked) return fail(checked.error());
   const Operation& operation = *checked;
@@ -74,7 +76,7 @@ Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& given, const 
                   "List the regions anew: numbers change as regions join.");
     }
   }
-  Work work{operation, params, {}, {}, {}};
+  Work work{operation, params, painted, {}, {}, {}};
   for (const RegionId region : operation.regions) remember(region, work);
   SCANTROVE_TRY(run(work));
   for (const auto& [fragment, before] : work.before) {
@@ -96,6 +98,8 @@ Result<void> RegionEditor::run(Work& work) {
       return finer(work);
     case OperationKind::coarser:
       return coarser(work);
+    case OperationKind::paint:
+      return paint(work);
     case OperationKind::name:
     case OperationKind::accept:
     case OperationKind::background:
@@ -141,11 +145,12 @@ Result<void> RegionEditor::join(Work& work, const std::vector<RegionId>& regions
   if (different.size() < 2) return fail("A join takes two regions or more.", "Say which are one thing.");
   const RegionId into = different.front();
   for (const RegionId from : std::span(different).subspan(1)) {
-    const FragmentId a = largestOf(table_.fragmentsOf(into)), b = largestOf(table_.fragmentsOf(from));
+    const FragmentId a = editable().largestOf(table_.fragmentsOf(into));
+    const FragmentId b = editable().largestOf(table_.fragmentsOf(from));
     write(work, into, joinedNote(notes_.of(into), notes_.of(from)));
     table_.join(into, from);
     work.outcome.events.joined.emplace_back(into, from);
-    constrain(work, a, b, LinkConstraint::must_link);
+    editable().constrain(a, b, LinkConstraint::must_link, work.effect);
   }
   work.outcome.regions = {into};
   return {};
@@ -178,7 +183,8 @@ Result<void> RegionEditor::cut(Work& work) {
   }
   const bool is_reversed = isBySurroundings(work.operation);  // what nothing connects stays with the rest
   const auto side = is_reversed ? splitSurface(graph, there, here) : splitSurface(graph, here, there);
-  const auto parts = divideVoxels(region, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
+  const auto parts =
+      editable().divideVoxels(region, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2).parts;
   divide(work, parts);
   work.outcome.regions = {table_.regionOf(parts[0].front()), table_.regionOf(parts[1].front())};
   if (is_reversed) std::swap(work.outcome.regions[0], work.outcome.regions[1]);
@@ -187,9 +193,9 @@ Result<void> RegionEditor::cut(Work& work) {
 
 Result<void> RegionEditor::finer(Work& work) {
   const RegionId region = work.operation.regions.front();
-  const auto isPart = [this](const Fragments& fragments) {
+  const auto isPart = [regions = editable()](const Fragments& fragments) {
     int voxels = 0;
-    for (const FragmentId fragment : fragments) voxels += voxelsOf(fragment);
+    for (const FragmentId fragment : fragments) voxels += regions.voxelsOf(fragment);
     return voxels >= kSmallFragmentVoxels;
   };
   float less = kFirstLess;
@@ -210,7 +216,7 @@ Result<void> RegionEditor::finer(Work& work) {
       const auto part = segmentSurface(graph, times * k, kSmallFragmentVoxels, cues);
       const std::size_t parts = part.empty() ? 0 : *std::ranges::max_element(part) + std::size_t{1};
       if (parts < 2) continue;
-      divide(work, divideVoxels(region, graph, part, parts));
+      divide(work, editable().divideVoxels(region, graph, part, parts).parts);
       return {};
     }
   }
@@ -240,43 +246,31 @@ Result<void> RegionEditor::coarser(Work& work) {
   return join(work, {region, likeliest});
 }
 
-void RegionEditor::remember(RegionId region, Work& work) const {
-  for (const FragmentId fragment : table_.fragmentsOf(region)) work.before.emplace_back(fragment, region);
+Result<void> RegionEditor::paint(Work& work) {
+  const Operation& operation = work.operation;
+  const RegionId region = operation.regions.front();
+  if (operation.regions.size() != 1 || !operation.correction ||
+      (operation.correction->added.isEmpty() && operation.correction->removed.isEmpty()))
+    return fail("Nothing is painted for " + called(region) + ".", "Paint at least one pixel for one region.");
+  work.before.clear();  // the painter knows them
+  work.outcome.regions = {region};
+  if (work.painted != nullptr) {
+    RegionPainter painter(editable());
+    painter.paint(region, *work.painted, work.effect, work.outcome.events);
+    work.effect.moves = painter.moves();
+    for (const RegionId changed : painter.changed()) {
+      if (changed != region && exists(changed)) work.outcome.regions.push_back(changed);
+    }
+    for (const auto& [into, from] : work.outcome.events.joined) {
+      if (notes_.of(into) == RegionNote{}) write(work, into, notes_.of(from));
+    }
+  }
+  work.effect.anchor = editable().largestOf(table_.fragmentsOf(region));
+  return {};
 }
 
-std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region, const SurfaceGraph& graph,
-                                                                std::span<const std::uint32_t> part,
-                                                                std::size_t parts) {
-  // Voxels of each fragment in each part; the part with most of them keeps the fragment.
-  std::map<FragmentId, std::vector<std::vector<Eigen::Vector3i>>> voxels;
-  for (std::size_t i = 0; i < graph.voxels.size(); ++i) {
-    auto& of_fragment = voxels[graph.voxels[i].fragment];
-    of_fragment.resize(parts);
-    of_fragment[part[i]].push_back(graph.voxels[i].voxel);
-  }
-  std::vector<Fragments> fragments(parts);
-  const auto ofRegion = table_.fragmentsOf(region);
-  const Fragments members(ofRegion.begin(), ofRegion.end());
-  for (const FragmentId fragment : members) {
-    const auto found = voxels.find(fragment);
-    if (found == voxels.end()) {
-      fragments.front().push_back(fragment);  // not at the surface, or far from the given places
-      continue;
-    }
-    const auto largest = std::ranges::max_element(found->second, {}, &std::vector<Eigen::Vector3i>::size);
-    const auto keeper = static_cast<std::size_t>(largest - found->second.begin());
-    for (std::size_t p = 0; p < parts; ++p) {
-      if (found->second[p].empty()) continue;
-      const FragmentId target = p == keeper ? fragment : table_.newFragmentBeside(fragment);
-      if (p != keeper) {
-        map_.relabel(found->second[p], target);
-        log_.splitOff(target, fragment);
-      }
-      fragments[p].push_back(target);
-    }
-  }
-  std::erase_if(fragments, [](const Fragments& of_part) { return of_part.empty(); });
-  return fragments;
+void RegionEditor::remember(RegionId region, Work& work) const {
+  for (const FragmentId fragment : table_.fragmentsOf(region)) work.before.emplace_back(fragment, region);
 }
 
 void RegionEditor::divide(Work& work, const std::vector<Fragments>& parts) {
@@ -291,32 +285,8 @@ void RegionEditor::divide(Work& work, const std::vector<Fragments>& parts) {
   table_.divide(parts, map_.voxelsOfFragments(), work.outcome.events);
   for (const Fragments& part : parts) work.outcome.regions.push_back(table_.regionOf(part.front()));
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = i + 1; j < parts.size(); ++j) keepApart(work, parts[i], parts[j]);
+    for (std::size_t j = i + 1; j < parts.size(); ++j) editable().keepApart(parts[i], parts[j], work.effect);
   }
-}
-
-void RegionEditor::keepApart(Work& work, const Fragments& one, const Fragments& other) {
-  constrain(work, largestOf(one), largestOf(other), LinkConstraint::cannot_link);
-  for (const FragmentId a : one) {
-    for (const FragmentId b : merger_->neighborsOf(a)) {
-      if (std::ranges::find(other, b) != other.end()) constrain(work, a, b, LinkConstraint::cannot_link);
-    }
-  }
-}
-
-void RegionEditor::constrain(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint) {
-  const LinkConstraint before = merger_->constraintBetween(a, b);
-  merger_->constrain(a, b, constraint);
-  if (before != constraint) work.effect.constraints.push_back({a, b, before, constraint});
-}
-
-int RegionEditor::voxelsOf(FragmentId fragment) const {
-  const auto voxels = map_.voxelsOfFragments();
-  return fragment.value < voxels.size() ? voxels[fragment.value] : 0;
-}
-
-FragmentId RegionEditor::largestOf(std::span<const FragmentId> fragments) const {
-  return *std::ranges::max_element(fragments, {}, [this](FragmentId one) { return voxelsOf(one); });
 }
 
 void RegionEditor::write(Work& work, RegionId region, const RegionNote& note) {
@@ -347,7 +317,13 @@ void RegionEditor::takeInNewFragments(const OperationLog::Entry& entry, bool is_
     for (const auto& [into, from] : joinedBy(entry)) moveWhole(from, from, into);
   } else {
     std::map<RegionId, RegionId> parts;  // part -> its former region
-    for (const RegionMove& move : entry.effect.moves) parts.emplace(move.after, move.before);
+    const std::vector<RegionId>& created = entry.effect.created;
+    for (const RegionMove& move : entry.effect.moves) {
+      // A painting also moves parts of regions to others, which stay.
+      const bool is_part = entry.operation.kind != OperationKind::paint ||
+                           std::ranges::find(created, move.after) != created.end();
+      if (is_part) parts.emplace(move.after, move.before);
+    }
     for (const auto& [part, region] : parts) {
       if (part != entry.operation.regions.front()) moveWhole(part, region, part);
     }
@@ -367,7 +343,8 @@ void RegionEditor::holdTogether(const OperationLog::Entry& entry) {
                  ((a == into && b == from) || (a == from && b == into));
         });
     if (is_linked) continue;
-    const FragmentId a = largestOf(table_.fragmentsOf(into)), b = largestOf(table_.fragmentsOf(from));
+    const FragmentId a = editable().largestOf(table_.fragmentsOf(into));
+    const FragmentId b = editable().largestOf(table_.fragmentsOf(from));
     more.constraints.push_back({a, b, merger_->constraintBetween(a, b), LinkConstraint::must_link});
   }
   if (!more.constraints.empty()) log_.extend(entry.number, more);

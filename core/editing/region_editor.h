@@ -6,7 +6,9 @@
 
 #include "core/base/result.h"
 #include "core/editing/editable_map.h"
+#include "core/editing/editable_regions.h"
 #include "core/editing/operation_log.h"
+#include "core/editing/painted_surface.h"
 #include "core/labeling/labeling_params.h"
 #include "core/labeling/region_merger.h"
 
@@ -29,8 +31,10 @@ class RegionEditor {
   /// Names are stored as checkedLabelName and checkedCategoryName return them.
   /// A cut without places on the other side separates what the given places show from what surrounds them in
   /// other colours. On an error nothing changes: unknown region, invalid name, a cut with both sides at one
-  /// place, nothing to split, ...
-  [[nodiscard]] Result<Outcome> apply(const Operation& given, const LabelingParams& params);
+  /// place, nothing to split, ... `painted`: of a paint, the surface behind the image; null corrects the
+  /// image alone.
+  [[nodiscard]] Result<Outcome> apply(const Operation& given, const LabelingParams& params,
+                                      const PaintedSurface* painted = nullptr);
   /// Undoes only the newest operation. Later changes by frames stay. Fragments that frames split off since,
   /// or added to a part of a cut, move with the rest of their region. Error if there is no operation.
   [[nodiscard]] Result<Outcome> undo();
@@ -54,6 +58,7 @@ class RegionEditor {
   struct Work {
     const Operation& operation;
     const LabelingParams& params;
+    const PaintedSurface* painted;
     OperationEffect effect;
     Outcome outcome;
     std::vector<std::pair<FragmentId, RegionId>> before;  // regions of all fragments that it may move
@@ -65,6 +70,7 @@ class RegionEditor {
   [[nodiscard]] Result<void> cut(Work& work);
   [[nodiscard]] Result<void> finer(Work& work);
   [[nodiscard]] Result<void> coarser(Work& work);
+  [[nodiscard]] Result<void> paint(Work& work);
 
   /// Before undo or redo: adds all current fragments to the effect for regions that move completely.
   void takeInNewFragments(const OperationLog::Entry& entry, bool is_undo);
@@ -72,18 +78,11 @@ class RegionEditor {
   void holdTogether(const OperationLog::Entry& entry);
   [[nodiscard]] bool exists(RegionId region) const { return !table_.fragmentsOf(region).empty(); }
   void remember(RegionId region, Work& work) const;
-  /// Splits fragments of one region that lie in several parts. `part`: the part of each voxel. Returns the
-  /// fragments of each part.
-  [[nodiscard]] std::vector<Fragments> divideVoxels(RegionId region, const SurfaceGraph& graph,
-                                                    std::span<const std::uint32_t> part, std::size_t parts);
+  [[nodiscard]] EditableRegions editable() { return {table_, *merger_, map_, log_}; }
   /// Makes the parts of one region separate regions, with constraints.
   void divide(Work& work, const std::vector<Fragments>& parts);
-  void keepApart(Work& work, const Fragments& one, const Fragments& other);
-  void constrain(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint);
   void write(Work& work, RegionId region, const RegionNote& note);
   void setNote(RegionId region, const RegionNote& note);
-  [[nodiscard]] FragmentId largestOf(std::span<const FragmentId> fragments) const;
-  [[nodiscard]] int voxelsOf(FragmentId fragment) const;
 
   RegionTable& table_;
   RegionMerger* merger_;

@@ -49,11 +49,6 @@ std::vector<float> pathCosts(const SurfaceGraph& graph) {
   return costs;
 }
 
-float capacityOf(const SurfaceGraph::Edge& edge) {
-  const float turn = turnOf(edge) / kFold_rad;
-  return std::exp(-turn * turn) * (1 - colorEdge(edge)) + kMinCapacity;
-}
-
 /// How much nearer each voxel is to the voxels of one side than to those of the other.
 class Nearness {
  public:
@@ -109,7 +104,7 @@ void cutOpen(const SurfaceGraph& graph, const Nearness& nearness, std::vector<st
   for (const SurfaceGraph::Edge& edge : graph.edges) {
     const int a = vertices[edge.a], b = vertices[edge.b];
     if (a == kNone && b == kNone) continue;
-    const float capacity = capacityOf(edge);
+    const float capacity = cutCost(edge);
     if (a == kNone) {
       tie(edge.b, edge.a, capacity);
     } else if (b == kNone) {
@@ -190,6 +185,11 @@ void joinSmallest(Components& components, std::size_t voxels, int min_voxels) {
 }
 
 }  // namespace
+
+float cutCost(const SurfaceGraph::Edge& edge) {
+  const float turn = turnOf(edge) / kFold_rad;
+  return std::exp(-turn * turn) * (1 - colorEdge(edge)) + kMinCapacity;
+}
 
 std::vector<std::uint8_t> splitSurface(const SurfaceGraph& graph, std::span<const std::uint32_t> here,
                                        std::span<const std::uint32_t> there) {

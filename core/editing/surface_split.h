@@ -18,6 +18,9 @@ namespace scantrove {
                                                      std::span<const std::uint32_t> here,
                                                      std::span<const std::uint32_t> there);
 
+/// Cost of cutting an edge: from about 0 across a sharp fold or a colour edge to 1 on plain surface.
+[[nodiscard]] float cutCost(const SurfaceGraph::Edge& edge);
+
 /// What a segmentation follows.
 enum class SurfaceCues { folds, folds_and_colors };
 

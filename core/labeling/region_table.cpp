@@ -180,6 +180,15 @@ void RegionTable::move(std::span<const RegionMove> moves, RegionEvents& events) 
   }
 }
 
+RegionId RegionTable::separate(std::span<const FragmentId> fragments, RegionEvents& events) {
+  SCANTROVE_CHECK(!fragments.empty());
+  const RegionId part{++last_region_};
+  std::vector<RegionMove> moves;
+  for (const FragmentId fragment : fragments) moves.push_back({fragment, regionOf(fragment), part});
+  move(moves, events);
+  return part;
+}
+
 void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std::span<const int> voxels,
                          RegionEvents& events) {
   // Claims of parts on identities, the strongest first; ties in the order of parts and regions.

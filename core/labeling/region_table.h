@@ -91,6 +91,9 @@ class RegionTable {
   /// old number.
   void move(std::span<const RegionMove> moves, RegionEvents& events);
 
+  /// Makes some fragments of one region, but not all, a new region. Returns it.
+  RegionId separate(std::span<const FragmentId> fragments, RegionEvents& events);
+
   /// Restores a stored table: the region of each fragment, by fragment number, [0] = none, and the highest
   /// region number ever used. No region is known or labelled afterwards.
   void restore(std::vector<RegionId> regions, RegionId last_region);

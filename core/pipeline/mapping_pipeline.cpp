@@ -183,11 +183,12 @@ void MappingPipeline::applyRegionEvents(const RegionEvents& events) {
   for (const auto& [from, part] : events.parted) finder_->regionParted(from);
 }
 
-Result<RegionEditor::Outcome> MappingPipeline::edit(const Operation& operation) {
+Result<RegionEditor::Outcome> MappingPipeline::edit(const Operation& operation,
+                                                    const PaintedSurface* painted) {
   Operation numbered = operation;
   numbered.frame = frames_;
   return guarded("editing the regions",
-                 [&] { return applied(labels_->editor().apply(numbered, params_.labeling)); });
+                 [&] { return applied(labels_->editor().apply(numbered, params_.labeling, painted)); });
 }
 
 Result<RegionEditor::Outcome> MappingPipeline::undo() {

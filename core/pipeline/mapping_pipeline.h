@@ -49,8 +49,9 @@ class MappingPipeline {
   [[nodiscard]] const MappingParams& params() const { return params_; }
 
   /// Applies a user's operation to the regions, for all later frames. Error: see RegionEditor; or the
-  /// device failed.
-  [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
+  /// device failed. `painted`: see RegionEditor::apply.
+  [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation,
+                                                   const PaintedSurface* painted = nullptr);
   /// Undoes the newest operation, or redoes it. Error: there is none.
   [[nodiscard]] Result<RegionEditor::Outcome> undo();
   [[nodiscard]] Result<RegionEditor::Outcome> redo();

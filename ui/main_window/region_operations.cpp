@@ -261,6 +261,10 @@ QString RegionOperations::descriptionOf(const Operation& operation) const {
       return tr("%1: an object").arg(what);
     case OperationKind::reject:
       return operation.on ? tr("%1: not an object").arg(what) : tr("%1: not rejected").arg(what);
+    case OperationKind::paint:
+      return tr("Correct mask of %1 in image %2")
+          .arg(what)
+          .arg(operation.correction ? operation.correction->image : 0);
   }
   return what;
 }

@@ -255,6 +255,22 @@ TEST(RegionTable, LabeledRegionKeepsItsIdentity_WhenJoinedWithAKnownOne) {
   EXPECT_EQ(table.regionOf(large), labeled);
 }
 
+TEST(RegionTable, SeparatesFragments_AsANewRegion) {
+  RegionTable table;
+  const FragmentId a = table.newFragment(), b = table.newFragment(), c = table.newFragment();
+  const RegionId region = table.regionOf(a);
+  table.join(region, table.regionOf(b));
+  table.join(region, table.regionOf(c));
+  RegionEvents events;
+  const RegionId part = table.separate(std::vector{b, c}, events);
+  EXPECT_EQ(part, table.lastRegion()) << "never a former one";
+  EXPECT_EQ(table.regionOf(a), region);
+  EXPECT_EQ(table.regionOf(b), part);
+  EXPECT_EQ(table.regionOf(c), part);
+  EXPECT_EQ(events.parted, std::vector{std::pair(region, part)});
+  EXPECT_TRUE(events.joined.empty());
+}
+
 TEST(RegionTable, RestoresFreeNumbers) {
   RegionTable table;
   for (int i = 0; i < 5; ++i) table.newFragment();
