@@ -10,6 +10,7 @@
 
 #include "core/base/regular_file.h"
 #include "core/dataset/frame_fitness.h"
+#include "core/dataset/painted_masks.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/region_masks.h"
 #include "core/dataset/registered_depth.h"
@@ -112,6 +113,7 @@ Result<void> labelImage(LabeledScan& scan, KeyFrameImage& read, const std::unord
   const auto map = scan.renderView(image.K, image.T_world_camera);
   if (!map) return fail(map.error());
   image.regions = refineRegions(*map, {image.depth_m, read.color}, std::max(image.K.fx, image.K.fy));
+  applyPaintedMasks(scan.paintedMasks(image.frame.index), image.regions);
   keepOnly(image.regions, kept);
   return {};
 }

@@ -69,6 +69,14 @@ struct ViewOfMap {
   cv::Mat depth_m;  ///< CV_32FC1, along the optical axis, 0 = nothing
 };
 
+/// What a person painted for one region in an image: CV_8UC1 of its size, nonzero = painted.
+struct PaintedMask {
+  std::uint32_t region = 0;
+  cv::Mat added;                          ///< pixels that are the region
+  cv::Mat removed;                        ///< pixels that are not; none of `added`
+  std::vector<std::uint32_t> parts = {};  ///< regions that were split from it since
+};
+
 /// A finished scan with its labels, as the source of data sets: a session on disk, or a scene in memory.
 /// From one thread at a time. The scan is not changed. Errors name the affected file.
 class LabeledScan {
@@ -90,6 +98,11 @@ class LabeledScan {
   [[nodiscard]] virtual Result<cv::Mat> color(int index) = 0;
   /// Its depth image: CV_16UC1 of the size of K_depth, in units of meters_per_unit, 0 = no reading.
   [[nodiscard]] virtual Result<cv::Mat> depth(int index) = 0;
+  /// What a person painted in its colour image (without one: in its depth image), oldest first.
+  [[nodiscard]] virtual std::vector<PaintedMask> paintedMasks(int index) {
+    static_cast<void>(index);
+    return {};
+  }
   /// Casts one ray per pixel into the final map; current labels, nearest surface.
   [[nodiscard]] virtual Result<ViewOfMap> renderView(const Intrinsics& K,
                                                      const Eigen::Isometry3d& T_world_camera) = 0;
