@@ -11,6 +11,7 @@
 #include "core/fusion/rendered_view.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/key_frame_files.h"
+#include "core/session/painted_image.h"
 #include "core/session/session_catalogue.h"
 
 namespace scantrove {
@@ -85,6 +86,9 @@ Result<void> ScanReview::showCurrent() {
   Result<RenderedView> view =
       pipeline.readout().renderView(saved.T_world_camera, pipeline.workingIntrinsicsOf(saved.intrinsics));
   if (!view) return fail(view.error());
+  const Result<std::optional<PaintedImage>> painted = PaintedImage::of(*session_, key);
+  if (!painted) return fail(painted.error());
+  if (*painted) (*painted)->applyTo(*view);
   Result<RgbdFrame> frame = readKeyFrame(session_->folder(), key, saved);
   // Its labels can be shown without its images.
   if (!frame) {

@@ -1,12 +1,12 @@
 #include "core/session/mask_suggestions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
 
 #include "core/pipeline/mapping_pipeline.h"
+#include "core/session/mask_camera.h"
 #include "core/session/session_scan.h"
 
 namespace scantrove {
@@ -32,13 +32,6 @@ Result<MaskCamera> cameraOf(const KeyFrameInfo& frame, const cv::Size& size, con
   return fail(image + " has " + sizeText(size.width, size.height) + " pixels, key frame " +
                   std::to_string(frame.index) + " has " + sizeText(K.width, K.height) + ".",
               "Make masks at the size of the key frames' images.");
-}
-
-/// The camera scaled down to the resolution at which frames are segmented.
-Intrinsics scaledDown(const Intrinsics& K, const Intrinsics& working) {
-  if (K.width <= working.width) return K;
-  const double scale = static_cast<double>(working.width) / K.width;
-  return K.resizedTo(working.width, std::max(1, static_cast<int>(std::lround(scale * K.height))));
 }
 
 /// Reads the masks of key frames and renders the map there.

@@ -11,6 +11,8 @@
 #include "core/compute/guarded.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/catalogue_numbers.h"
+#include "core/session/painted_image.h"
+#include "core/session/painted_view.h"
 #include "core/session/refinement_state.h"
 #include "core/session/session_catalogue.h"
 #include "core/session/session_joining.h"
@@ -256,7 +258,13 @@ Result<OpenSession::SurfacePoint> OpenSession::at(int frame, int x, int y) {
         called + " shows no surface of the map at " + std::to_string(x) + "," + std::to_string(y) + ".",
         "Point at something that was scanned.");
   const Eigen::Vector3f seen = K.backProject(static_cast<float>(x), static_cast<float>(y), z);
-  return SurfacePoint{view->regions[pixel], saved->T_world_camera.cast<float>() * seen};
+  SurfacePoint point{view->regions[pixel], saved->T_world_camera.cast<float>() * seen};
+  const auto key = std::ranges::find(scan_.key_frames, saved->number, &SavedKeyFrame::frame);
+  if (key == scan_.key_frames.end()) return point;
+  const Result<std::optional<PaintedImage>> painted = PaintedImage::of(*this, *key);
+  if (!painted) return fail(painted.error());
+  if (*painted) point.region = (*painted)->regionAt(point.point_world, point.region);
+  return point;
 }
 
 std::optional<Error> OpenSession::takeFailure() { return recorder_->takeFailure(); }
@@ -298,7 +306,10 @@ Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> ou
 }
 
 Result<RegionEditor::Outcome> OpenSession::edit(const Operation& operation) {
-  return keep(pipeline_->edit(operation), EditDirection::done);
+  if (operation.kind != OperationKind::paint) return keep(pipeline_->edit(operation), EditDirection::done);
+  const Result<std::optional<PaintedSurface>> painted = paintedSurfaceOf(*this, operation);
+  if (!painted) return fail(painted.error());
+  return keep(pipeline_->edit(operation, *painted ? &**painted : nullptr), EditDirection::done);
 }
 
 Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo(), EditDirection::undone); }

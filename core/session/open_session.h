@@ -75,11 +75,12 @@ class OpenSession {
     Eigen::Vector3f point_world = Eigen::Vector3f::Zero();
   };
   /// `frame`: index in its source; x, y: of the depth image, as in label images. Error: no such frame, no
-  /// pose, pixel outside, or no surface.
+  /// pose, pixel outside, or no surface. In a key frame the region is the one that a person painted there.
   [[nodiscard]] Result<SurfacePoint> at(int frame, int x, int y);
 
   /// Each operation is written atomically before it returns, with its pending catalogue edits (for
-  /// applyToCatalogue). Error: see RegionEditor; or writing failed: then it holds until the program ends.
+  /// applyToCatalogue). A paint also needs the images of its key frame. Error: see RegionEditor and
+  /// paintedSurfaceOf; or writing failed: then it holds until the program ends.
   [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
   [[nodiscard]] Result<RegionEditor::Outcome> undo();
   [[nodiscard]] Result<RegionEditor::Outcome> redo();

@@ -40,6 +40,29 @@ std::vector<Eigen::Vector3f> placesFrom(const Json& list) {
   return places;
 }
 
+Json maskToJson(const MaskCorrection& correction) {
+  Json json{{"key_frame", correction.key_frame},
+            {"image", correction.image},
+            {"size", {correction.added.width, correction.added.height}}};
+  if (correction.this_image_only) json["this_image_only"] = true;
+  return json;
+}
+
+int countFrom(const Json& number) {
+  if (!number.is_number_unsigned() || number.get<std::uint64_t>() > INT32_MAX)
+    throw Json::other_error::create(501, "no count", nullptr);
+  return number.get<int>();
+}
+
+MaskCorrection maskFrom(const Json& json) {
+  MaskCorrection correction{.key_frame = countFrom(json.at("key_frame")),
+                            .image = countFrom(json.at("image"))};
+  for (PaintedPixels* pixels : {&correction.added, &correction.removed})
+    *pixels = {countFrom(json.at("size").at(0)), countFrom(json.at("size").at(1)), {}};
+  correction.this_image_only = json.value("this_image_only", false);
+  return correction;
+}
+
 Json noteToJson(const RegionNote& note) {
   return {note.name, note.category, note.background, note.object, note.rejected};
 }
@@ -89,6 +112,7 @@ std::string operationToJson(const Operation& operation) {
   if (!operation.here_world.empty()) json["here"] = placesOf(operation.here_world);
   if (!operation.there_world.empty()) json["there"] = placesOf(operation.there_world);
   if (operation.frame >= 0) json["frame"] = operation.frame;
+  if (operation.correction) json["mask"] = maskToJson(*operation.correction);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -106,6 +130,7 @@ std::optional<Operation> operationFromJson(const std::string& text) {
     operation.here_world = placesFrom(json.value("here", Json::array()));
     operation.there_world = placesFrom(json.value("there", Json::array()));
     operation.frame = json.value("frame", -1);
+    if (json.contains("mask")) operation.correction = maskFrom(json.at("mask"));
     return operation;
   });
 }
@@ -119,6 +144,8 @@ std::string effectToJson(const OperationEffect& effect) {
                             static_cast<int>(constraint.after)});
   for (const auto& note : effect.notes)
     json["notes"].push_back({note.region.value, noteToJson(note.before), noteToJson(note.after)});
+  if (effect.anchor) json["anchor"] = effect.anchor.value;
+  if (!effect.created.empty()) json["created"] = numbersOf(effect.created);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -135,6 +162,10 @@ std::optional<OperationEffect> effectFromJson(const std::string& text) {
                                     constraintFrom(constraint.at(3))});
     for (const Json& note : listAt(json, "notes"))
       effect.notes.push_back({RegionId{number(note.at(0))}, noteFrom(note.at(1)), noteFrom(note.at(2))});
+    if (json.contains("anchor")) effect.anchor = FragmentId{number(json.at("anchor"))};
+    if (json.contains("created")) {
+      for (const Json& region : listAt(json, "created")) effect.created.push_back(RegionId{number(region)});
+    }
     return effect;
   });
 }

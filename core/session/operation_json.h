@@ -6,7 +6,8 @@
 
 namespace scantrove {
 
-/// Operations as text: {"kind": "join", "regions": [3, 7], ...}; empty members are left out.
+/// Operations as text: {"kind": "join", "regions": [3, 7], ...}; empty members are left out,
+/// and so are painted pixels (mask_rows.h).
 [[nodiscard]] std::string operationToJson(const Operation& operation);
 [[nodiscard]] std::string effectToJson(const OperationEffect& effect);
 /// None: malformed.

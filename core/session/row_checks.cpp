@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/image/image_header.h"
+
 namespace scantrove::rows {
 namespace {
 
@@ -38,6 +40,14 @@ bool isFragment(FragmentId fragment) { return isWithin(fragment.value, kFragment
 
 /// Also accepts none.
 bool isRegion(RegionId region) { return region.value <= kRegions.most; }
+
+bool isCorrection(const MaskCorrection& correction) {
+  const PaintedPixels &added = correction.added, &removed = correction.removed;
+  const ImageSize size{static_cast<std::uint32_t>(added.width), static_cast<std::uint32_t>(added.height)};
+  return isWithin(correction.key_frame, kCounts) && isWithin(correction.image, kCounts) &&
+         added.width == removed.width && added.height == removed.height &&
+         checkImageSize(size, "").has_value();
+}
 
 bool isAlong(float focal, float center, int side) {
   const float share = focal / static_cast<float>(side);
@@ -99,6 +109,10 @@ bool isPlausible(const BorderEvidence& e) {
 }
 
 bool isPlausible(const Operation& operation) {
+  const bool is_paint = operation.kind == OperationKind::paint;
+  if (is_paint != operation.correction.has_value() || (is_paint && operation.regions.size() != 1))
+    return false;
+  if (is_paint && !isCorrection(*operation.correction)) return false;
   return std::ranges::all_of(operation.regions, isRegion) && arePlaces(operation.here_world) &&
          arePlaces(operation.there_world);
 }
@@ -114,7 +128,8 @@ bool isPlausible(const OperationEffect& effect) {
                                return isFragment(constraint.a) && isFragment(constraint.b) &&
                                       constraint.a != constraint.b;
                              }) &&
-         std::ranges::all_of(effect.notes, [](const auto& note) { return isRegion(note.region); });
+         std::ranges::all_of(effect.notes, [](const auto& note) { return isRegion(note.region); }) &&
+         (!effect.anchor || isFragment(effect.anchor)) && std::ranges::all_of(effect.created, isRegion);
 }
 
 }  // namespace scantrove::rows

@@ -32,7 +32,7 @@ inline constexpr double kFarthest_m = 1e8;  ///< of any coordinate
 [[nodiscard]] bool isPlausible(const Intrinsics& K);
 [[nodiscard]] bool isPlausible(const SavedKeyFrame& key);
 [[nodiscard]] bool isPlausible(const BorderEvidence& evidence);
-/// Whether all fragment numbers, region numbers and positions are valid.
+/// Whether all fragment numbers, region numbers, image sizes and positions are valid.
 [[nodiscard]] bool isPlausible(const Operation& operation);
 [[nodiscard]] bool isPlausible(const OperationEffect& effect);
 

@@ -7,6 +7,7 @@
 #include "core/session/checked_rows.h"
 #include "core/session/estimate_rows.h"
 #include "core/session/frame_rows.h"
+#include "core/session/mask_rows.h"
 #include "core/session/metadata_rows.h"
 #include "core/session/objectness_rows.h"
 #include "core/session/operation_rows.h"
@@ -37,7 +38,8 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
   SCANTROVE_TRY(writeEstimates(database, delta.estimates));
   if (delta.objectness) SCANTROVE_TRY(writeObjectness(database, *delta.objectness));
   if (delta.camera) SCANTROVE_TRY(writeCamera(database, *delta.camera));
-  return writeOperations(database, delta.operations);
+  SCANTROVE_TRY(writeOperations(database, delta.operations));
+  return writeMasks(database, delta.operations);
 }
 
 Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages) {
@@ -49,6 +51,7 @@ Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& d
   SCANTROVE_TRY(moveInto(scan.estimates, readEstimates(database, damages)));
   SCANTROVE_TRY(moveInto(scan.objectness, readObjectness(database, damages)));
   SCANTROVE_TRY(readOperations(database, scan, damages));
+  SCANTROVE_TRY(readMasks(database, scan, damages));
   return scan;
 }
 

@@ -11,6 +11,7 @@
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/key_frame_choice.h"
 #include "core/session/key_frame_files.h"
+#include "core/session/mask_corrections.h"
 
 namespace scantrove {
 namespace {
@@ -70,6 +71,36 @@ std::vector<ObjectClass> SessionScan::classes() {
   return list;
 }
 
+KeyFrameInfo SessionScan::infoOf(const OpenSession& session, const SavedKeyFrame& images,
+                                 const SavedFrame& frame) {
+  KeyFrameInfo info;
+  info.index = frame.source_index;
+  info.timestamp_s = frame.time_s;
+  info.T_world_depth = frame.T_world_camera;
+  info.K_depth = session.intrinsicsOf(frame);
+  info.meters_per_unit = images.meters_per_unit;
+  info.K_color = info.K_depth;
+  if (images.color_camera) {
+    info.K_color = images.color_camera->K;
+    info.T_color_depth = images.color_camera->T_color_depth;
+  } else if (images.color_width > 0) {
+    info.K_color = info.K_depth.resizedTo(images.color_width, images.color_height);
+  }
+  if (!images.color_file.empty()) info.color_file = session.folder() / images.color_file;
+  return info;
+}
+
+const SavedKeyFrame* SessionScan::keyFrameOf(int index) const {
+  const auto found = std::ranges::find(stored_, index, &StoredFrame::index);
+  return found == stored_.end() ? nullptr : found->images;
+}
+
+std::vector<PaintedMask> SessionScan::paintedMasks(int index) {
+  const SavedKeyFrame* images = keyFrameOf(index);
+  if (images == nullptr) return {};
+  return paintedMasksOf(session_.history(), session_.pipeline().labels().table(), images->frame);
+}
+
 Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
   std::vector<KeyFrameInfo> list;
   // A frame without colour does not stand for a place that another one shows with colour.
@@ -81,20 +112,8 @@ Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
     const bool is_replaced = kept.images->color_file.empty() && !with_color.isNew(kept.frame->T_world_camera);
     if (is_replaced && !all_frames) continue;
     if (!choice.takes(kept.frame->T_world_camera) && !all_frames) continue;
-    KeyFrameInfo info;
+    KeyFrameInfo info = infoOf(session_, *kept.images, *kept.frame);
     info.index = kept.index;
-    info.timestamp_s = kept.frame->time_s;
-    info.T_world_depth = kept.frame->T_world_camera;
-    info.K_depth = session_.intrinsicsOf(*kept.frame);
-    info.meters_per_unit = kept.images->meters_per_unit;
-    info.K_color = info.K_depth;
-    if (kept.images->color_camera) {
-      info.K_color = kept.images->color_camera->K;
-      info.T_color_depth = kept.images->color_camera->T_color_depth;
-    } else if (kept.images->color_width > 0) {
-      info.K_color = info.K_depth.resizedTo(kept.images->color_width, kept.images->color_height);
-    }
-    if (!kept.images->color_file.empty()) info.color_file = session_.folder() / kept.images->color_file;
     list.push_back(std::move(info));
   }
   return list;

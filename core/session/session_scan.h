@@ -15,6 +15,12 @@ class SessionScan final : public LabeledScan {
  public:
   explicit SessionScan(OpenSession& session);
 
+  /// Cameras and poses of a key frame, with the number of its frame in the source.
+  [[nodiscard]] static KeyFrameInfo infoOf(const OpenSession& session, const SavedKeyFrame& images,
+                                           const SavedFrame& frame);
+  /// The stored images of the frame with that external number; null: none were kept.
+  [[nodiscard]] const SavedKeyFrame* keyFrameOf(int index) const;
+
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] Eigen::Vector3d origin() const override { return session_.setup().origin_m; }
   [[nodiscard]] Result<std::vector<LabeledRegion>> regions() override;
@@ -22,6 +28,7 @@ class SessionScan final : public LabeledScan {
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override;
   [[nodiscard]] Result<cv::Mat> color(int index) override;
   [[nodiscard]] Result<cv::Mat> depth(int index) override;
+  [[nodiscard]] std::vector<PaintedMask> paintedMasks(int index) override;
   [[nodiscard]] Result<ViewOfMap> renderView(const Intrinsics& K,
                                              const Eigen::Isometry3d& T_world_camera) override;
   [[nodiscard]] Result<LabeledMesh> mesh() override;

@@ -14,6 +14,8 @@ std::vector<std::string> seeds() {
                        .here_world = {{1, 2, 3}},
                        .there_world = {{4, 5, 6}},
                        .frame = 12}),
+      R"({"kind": "paint", "regions": [3], "mask": {"key_frame": 4, "image": 12, "size": [640, 480]}})",
+      R"({"moves": [], "said": [], "notes": [], "anchor": 7, "created": [9]})",
       effectToJson({.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .constraints = {}, .notes = {}})};
 }
 

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <charconv>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "core/database/database_connection.h"
 #include "core/fusion/packed_words.h"
@@ -50,6 +51,11 @@ SavedDelta someDelta() {
        {.kind = OperationKind::name, .regions = {RegionId{3}}, .name = "red cup"},
        {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .constraints = {}, .notes = {}},
        OperationLog::State::done});
+  Operation paint{.kind = OperationKind::paint, .regions = {RegionId{3}}};
+  paint.correction = MaskCorrection{
+      .key_frame = 2, .image = 2, .added = {640, 480, {1000, 20}}, .removed = {640, 480, {0, 9, 300, 7}}};
+  delta.operations.push_back(
+      {2, std::move(paint), {.anchor = FragmentId{7}, .created = {RegionId{8}}}, OperationLog::State::done});
   return delta;
 }
 
@@ -108,7 +114,7 @@ void change(DatabaseConnection& database, std::string_view lines) {
   }
   // Without checksums, as in older sessions, so that the checks of values are reached.
   for (const char* table : {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations",
-                            "pages", "camera", "estimates", "objectness"})
+                            "pages", "camera", "estimates", "objectness", "mask_corrections"})
     (void)database.execute(QString("UPDATE %1 SET row_check = NULL").arg(table));
 }
 
@@ -125,6 +131,14 @@ void readAll(SessionStore& store) {
     require(border.a.value > 0 && border.a.value < border.b.value, "a border lies between two fragments");
   for (const auto& [region, log_odds] : scan->objectness)
     require(region.value > 0 && std::isfinite(log_odds), "ratings are finite");
+  for (const OperationLog::Entry& entry : scan->operations) {
+    if (!entry.operation.correction) continue;
+    for (const PaintedPixels* pixels :
+         {&entry.operation.correction->added, &entry.operation.correction->removed}) {
+      const cv::Mat mask = pixels->mask();
+      require(PaintedPixels::of(mask).runs == pixels->runs, "painted pixels are those of a mask");
+    }
+  }
   EstimatedLabels estimated(0.004F);
   for (const SavedEstimates& brick : scan->estimates) {
     estimated.restore(brick, std::vector<RegionId>(8, RegionId{1}));
@@ -150,6 +164,11 @@ std::vector<std::string> seeds() {
       "estimates.x=#-9\nestimates.y=#3\nfragments.voxels=#5\n",
       "estimates.cells=$0123456789abcdef\n",
       "objectness.log_odds=~1.5\nobjectness.region=#7\n",
+      "mask_corrections.width=#640\nmask_corrections.height=#480\nmask_corrections.operation=#2\n",
+      "mask_corrections.added=$\x64\x05\xC8\x01\x07\x03\nmask_corrections.removed=$\x02\x03\n",
+      "operations.operation={\"kind\": \"paint\", \"regions\": [3], \"mask\": {\"key_frame\": 2, \"image\": "
+      "2, "
+      "\"size\": [640, 480]}}\n",
       "fragments.fragment=#12\nfragments.region=#3\nfragments.voxels=#77\n"};
 }
 

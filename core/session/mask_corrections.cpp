@@ -1,0 +1,73 @@
+#include "core/session/mask_corrections.h"
+
+#include <opencv2/core.hpp>
+#include <span>
+
+namespace scantrove {
+namespace {
+
+using LogEntry = OperationLog::Entry;
+
+bool isDonePaint(const LogEntry& entry) {
+  return entry.state == OperationLog::State::done && entry.operation.correction.has_value() &&
+         !entry.operation.regions.empty();
+}
+
+/// The region for which an operation painted, as it is now; none: it no longer exists.
+RegionId paintedRegionNow(const LogEntry& entry, const RegionTable& table) {
+  const RegionId region = entry.operation.regions.front();
+  if (!table.fragmentsOf(region).empty()) return region;
+  const FragmentId anchor = entry.effect.anchor;
+  return anchor && anchor.value < table.regions().size() ? table.regionOf(anchor) : RegionId{};
+}
+
+bool isJoin(const Operation& operation) {
+  return operation.kind == OperationKind::join || operation.kind == OperationKind::coarser;
+}
+
+bool isSplit(const Operation& operation) {
+  return operation.kind == OperationKind::cut || operation.kind == OperationKind::finer;
+}
+
+/// The painted mask of an entry, with what later operations did to its regions.
+PaintedMask maskOf(const LogEntry& entry, std::span<const LogEntry> later, RegionId now) {
+  const MaskCorrection& correction = *entry.operation.correction;
+  std::set<RegionId> regions{entry.operation.regions.front(), now}, parts;
+  bool is_joined = false;
+  for (const LogEntry& one : later) {
+    if (one.state != OperationLog::State::done) continue;
+    for (const RegionMove& move : one.effect.moves) {
+      if (isJoin(one.operation) && regions.contains(move.after)) is_joined = true;
+      if (isSplit(one.operation) && regions.contains(move.before) && !regions.contains(move.after))
+        parts.insert(move.after);
+    }
+    regions.insert(parts.begin(), parts.end());
+  }
+  PaintedMask mask{.region = now.value, .added = correction.added.mask(), .removed = {}};
+  mask.removed = is_joined ? cv::Mat(cv::Mat::zeros(mask.added.size(), CV_8UC1)) : correction.removed.mask();
+  for (const RegionId part : parts) mask.parts.push_back(part.value);
+  return mask;
+}
+
+}  // namespace
+
+std::vector<PaintedMask> paintedMasksOf(const OperationLog& log, const RegionTable& table, int key_frame) {
+  std::vector<PaintedMask> masks;
+  const std::span entries(log.entries());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!isDonePaint(entries[i]) || entries[i].operation.correction->key_frame != key_frame) continue;
+    const RegionId now = paintedRegionNow(entries[i], table);
+    if (now) masks.push_back(maskOf(entries[i], entries.subspan(i + 1), now));
+  }
+  return masks;
+}
+
+std::set<int> paintedKeyFrames(const OperationLog& log) {
+  std::set<int> frames;
+  for (const LogEntry& entry : log.entries()) {
+    if (isDonePaint(entry)) frames.insert(entry.operation.correction->key_frame);
+  }
+  return frames;
+}
+
+}  // namespace scantrove
