@@ -26,6 +26,11 @@ struct SessionArguments {
   std::string masks;
   int min_frames = 3;
   bool apply = false;
+  std::string mask_file;
+  std::vector<std::string> polygons;  ///< "x,y,x,y,x,y"
+  bool paint_adds = false, paint_removes = false, paint_sets = false;
+  bool this_image_only = false;
+  std::string out;
 };
 
 /// The region and point at a pixel, given as "N:x,y" or as "x,y" of `frame`. Error: another format, or as

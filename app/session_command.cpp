@@ -11,6 +11,7 @@
 #include "app/number_check.h"
 #include "app/session_edits.h"
 #include "app/session_list_command.h"
+#include "app/session_paint.h"
 #include "app/session_readout.h"
 #include "app/session_refine_command.h"
 #include "app/session_suggest.h"
@@ -91,6 +92,45 @@ void addBackground(CLI::App& parent, const std::shared_ptr<SessionArguments>& ar
   addOff(*sub, *arguments);
 }
 
+void checkPaint(const SessionArguments& given) {
+  if (given.paint_adds + given.paint_removes + given.paint_sets != 1)
+    throw CLI::ValidationError("--add", "--remove and --set exclude each other. Give one of them");
+  if (given.mask_file.empty() == given.polygons.empty())
+    throw CLI::ValidationError("MASK", "and --polygon say what is painted. Give one of them");
+}
+
+/// `add_frame`: adds the option --frame.
+void addPaint(CLI::App& parent, const std::shared_ptr<SessionArguments>& arguments, CommandJob& job,
+              const std::function<void(CLI::App&)>& add_frame) {
+  CLI::App* paint =
+      addAction(parent, "paint", "Correct the mask of a region in one image, and the regions behind",
+                arguments, job, paintRegion, checkPaint);
+  paint->add_option("MASK", arguments->mask_file,
+                    "grey image of 8 bits with the size of the colour image: values above 127 are painted");
+  add_frame(*paint);
+  paint->add_option("--region", arguments->regions, "number of the region")
+      ->required()
+      ->expected(1)
+      ->type_name("R");
+  paint->add_flag("--add", arguments->paint_adds, "painted pixels are the region");
+  paint->add_flag("--remove", arguments->paint_removes, "painted pixels are not the region");
+  paint->add_flag("--set", arguments->paint_sets, "painted pixels are the region, all others are not");
+  paint
+      ->add_option("--polygon", arguments->polygons,
+                   "instead of MASK: columns and rows of an outline; may be repeated, also for holes")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("x,y,...");
+  paint->add_flag("--this-image-only", arguments->this_image_only,
+                  "leave regions and other images unchanged");
+  paint->add_flag("--no-catalogue", arguments->without_catalogue,
+                  "change the session only, not its catalogue");
+  CLI::App* masks = addAction(parent, "masks", "Write the regions of one image as a PNG of 16 bits",
+                              arguments, job, writeMasksOfImage);
+  add_frame(*masks);
+  masks->add_option("--out", arguments->out, "the new file")->required()->type_name("FILE");
+}
+
 }  // namespace
 
 void addSessionCommand(CLI::App& app, CommandJob& job) {
@@ -120,8 +160,11 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
   addSessionRefine(*parent, job);
   add("show", "Summary: frames, map, regions, operations", showSession);
   add("regions", "List all regions", listRegions);
+  const auto addFrame = [&](CLI::App& sub) {
+    sub.add_option("--frame", arguments->frame, "frame number in the recording")->required()->type_name("N");
+  };
   CLI::App* at = add("at", "Show the region at a pixel of a frame", showAt);
-  at->add_option("--frame", arguments->frame, "frame number in the recording")->required()->type_name("N");
+  addFrame(*at);
   at->add_option("--pixel", arguments->pixel, "column and row in the depth image")
       ->required()
       ->type_name("x,y");
@@ -148,6 +191,7 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
   addPoints("--here", arguments->here, "frame, column and row of a point; may be repeated")->required();
   addPoints("--there", arguments->there,
             "a point of the other part; may be repeated (default: what surrounds --here in other colours)");
+  addPaint(*parent, arguments, job, addFrame);
   const auto addSteps = [&](CLI::App* sub) {
     sub->add_option("--steps", arguments->steps, "number of operations")
         ->check(CLI::PositiveNumber)

@@ -40,13 +40,6 @@ Operation operationOn(OperationKind kind, const SessionArguments& arguments) {
   return operation;
 }
 
-/// The edit in the session and its catalogue.
-Result<void> carryOut(OpenSession& session, const SessionArguments& arguments, const Operation& operation) {
-  const auto outcome = session.edit(operation);
-  if (outcome) updateCatalogue(session, arguments);
-  return report(outcome, arguments);
-}
-
 /// Error: fewer than `steps` operations are in that state.
 Result<void> checkSteps(const OpenSession& session, OperationLog::State state, int steps, const char* verb) {
   const auto available = std::ranges::count(session.history().entries(), state, &OperationLog::Entry::state);
@@ -66,6 +59,13 @@ void updateCatalogue(OpenSession& session, const SessionArguments& arguments) {
               << forTerminal(applied.error().message()) << '\n';
 }
 
+Result<void> performEdit(OpenSession& session, const SessionArguments& arguments,
+                         const Operation& operation) {
+  const auto outcome = session.edit(operation);
+  if (outcome) updateCatalogue(session, arguments);
+  return report(outcome, arguments);
+}
+
 Result<void> editSession(OpenSession& session, const SessionArguments& arguments, OperationKind kind) {
   Operation operation = operationOn(kind, arguments);
   // A new name keeps the class unless one is given.
@@ -79,7 +79,7 @@ Result<void> editSession(OpenSession& session, const SessionArguments& arguments
     if (isNaming(kind))
       session.setMetadata(sessionOnlyKeyOf(region), arguments.without_catalogue ? operation.name : "");
   }
-  return carryOut(session, arguments, operation);
+  return performEdit(session, arguments, operation);
 }
 
 Result<void> markProposedBackground(OpenSession& session, const SessionArguments& arguments) {
@@ -90,7 +90,7 @@ Result<void> markProposedBackground(OpenSession& session, const SessionArguments
   for (const RegionSummary& region : *regions) {
     if (region.is_proposed_background) operation.regions.push_back(region.region);
   }
-  if (!operation.regions.empty()) return carryOut(session, arguments, operation);
+  if (!operation.regions.empty()) return performEdit(session, arguments, operation);
   std::cerr << "scantrove: No region is proposed as background; nothing was changed.\n";
   if (arguments.json) printJson({{"regions", Json::array()}});
   return {};

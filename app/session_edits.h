@@ -6,7 +6,10 @@ namespace scantrove {
 // Edits of `scantrove session`, which change the session and its catalogue. Each prints the current numbers
 // of the changed regions.
 
-/// Any operation but a cut.
+/// Performs the operation in the session and its catalogue.
+[[nodiscard]] Result<void> performEdit(OpenSession& session, const SessionArguments& arguments,
+                                       const Operation& operation);
+/// Any operation but a cut and a paint.
 [[nodiscard]] Result<void> editSession(OpenSession& session, const SessionArguments& arguments,
                                        OperationKind kind);
 /// Marks all regions that are proposed as background, in one operation. Without any it says so.

@@ -48,6 +48,14 @@ const char* wordFor(OperationLog::State state) {
   return "";
 }
 
+std::string correctionText(const OpenSession& session, const Operation& paint) {
+  const RegionId region = paint.regions.empty() ? RegionId{} : paint.regions.front();
+  const std::string name = session.labelOf(region).name;
+  return "Correct mask of " + (name.empty() ? "region " + std::to_string(region.value) : inLine(name)) +
+         " in image " + std::to_string(paint.correction->image) +
+         (paint.correction->this_image_only ? " only" : "");
+}
+
 }  // namespace
 
 Result<void> showSession(OpenSession& session, const SessionArguments& arguments) {
@@ -156,6 +164,7 @@ Result<void> listOperations(OpenSession& session, const SessionArguments& argume
               << wordFor(entry.state) << std::setw(11) << toString(entry.operation.kind);
     for (const RegionId region : entry.operation.regions) std::cout << ' ' << region.value;
     if (!entry.operation.name.empty()) std::cout << "  " << inLine(entry.operation.name);
+    if (entry.operation.correction) std::cout << "  " << correctionText(session, entry.operation);
     std::cout << '\n';
   }
   return {};

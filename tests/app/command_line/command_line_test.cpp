@@ -217,6 +217,25 @@ TEST(CommandLine, SuggestionsNeedAFolderOfMasks) {
   expectRefused(parse({"session", "show", "scan", "--masks", "masks"}), {"--masks"});
 }
 
+TEST(CommandLine, PaintTakesOneMaskAndOneMode) {
+  const auto paint = [](std::vector<std::string> options) {
+    options.insert(options.begin(), {"session", "paint", "scan", "--frame", "12", "--region", "5"});
+    return parse(options);
+  };
+  expectCommand(paint({"--add", "mask.png"}));
+  expectCommand(paint({"--remove", "--polygon", "1,1,9,1,5,9", "--polygon", "3,3,5,3,4,5"}));
+  expectCommand(paint({"--set", "mask.png", "--this-image-only", "--no-catalogue", "--json"}));
+  expectRefused(paint({"mask.png"}), {"--add", "Give one of them"});
+  expectRefused(paint({"--add", "--set", "mask.png"}), {"--add", "Give one of them"});
+  expectRefused(paint({"--add"}), {"MASK", "Give one of them"});
+  expectRefused(paint({"--add", "mask.png", "--polygon", "1,1,9,1,5,9"}), {"MASK", "Give one of them"});
+  expectRefused(paint({"--add", ""}), {"MASK", "is empty"});
+  expectRefused(parse({"session", "paint", "scan", "mask.png", "--add", "--region", "5"}), {"--frame"});
+  expectRefused(parse({"session", "paint", "scan", "mask.png", "--add", "--frame", "12"}), {"--region"});
+  expectCommand(parse({"session", "masks", "scan", "--frame", "12", "--out", "masks.png"}));
+  expectRefused(parse({"session", "masks", "scan", "--frame", "12"}), {"--out"});
+}
+
 TEST(CommandLine, RefusesSegmentationEvaluation_WithoutOneTruthPerScan) {
   const auto evaluate = [](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"evaluate", "segmentation", "--truth", "truth"});
