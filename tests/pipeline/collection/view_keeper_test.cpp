@@ -145,7 +145,7 @@ TEST_F(ViewKeeperTest, KeepsViews_WhenAUserNamedTheObject) {
 }
 
 TEST_F(ViewKeeperTest, KeepsViews_WhenAUserRequestedTheObject) {
-  requests_->request(mug_.region, "");
+  requests_->request(mug_.region, {});
   const ObjectId mug = add(mug_);
   requests_->complete(mug_.candidate(), mug, UserRequests::MadeFor::request);
   compareWith(mapWith(mug_, 0.2));
