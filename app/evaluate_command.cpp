@@ -109,6 +109,7 @@ CLI::Option* addFolders(CLI::App& command, const char* option, std::vector<std::
                         const char* help) {
   return command.add_option(option, folders, help)
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("DIR");
 }

@@ -111,6 +111,7 @@ void addPaint(CLI::App& parent, const std::shared_ptr<SessionArguments>& argumen
   paint->add_option("--region", arguments->regions, "number of the region")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->type_name("R");
   paint->add_flag("--add", arguments->paint_adds, "painted pixels are the region");
   paint->add_flag("--remove", arguments->paint_removes, "painted pixels are not the region");
@@ -119,6 +120,7 @@ void addPaint(CLI::App& parent, const std::shared_ptr<SessionArguments>& argumen
       ->add_option("--polygon", arguments->polygons,
                    "instead of MASK: columns and rows of an outline; may be repeated, also for holes")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("x,y,...");
   paint->add_flag("--this-image-only", arguments->this_image_only,
@@ -148,6 +150,7 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
     sub->add_option("--region", arguments->regions, "number of the region")
         ->required()
         ->expected(1)
+        ->allow_extra_args(false)
         ->type_name("R");
     return sub;
   };
@@ -185,6 +188,7 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
   const auto addPoints = [&](const char* option, std::vector<std::string>& texts, const char* help) {
     return cut_command->add_option(option, texts, help)
         ->expected(1)
+        ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->type_name("N:x,y");
   };

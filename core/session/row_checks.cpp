@@ -44,8 +44,8 @@ bool isRegion(RegionId region) { return region.value <= kRegions.most; }
 bool isCorrection(const MaskCorrection& correction) {
   const PaintedPixels &added = correction.added, &removed = correction.removed;
   const ImageSize size{static_cast<std::uint32_t>(added.width), static_cast<std::uint32_t>(added.height)};
-  return isWithin(correction.key_frame, kCounts) && isWithin(correction.image, kCounts) &&
-         added.width == removed.width && added.height == removed.height &&
+  return isWithin(correction.key_frame, kCounts) && isWithin(correction.image, kCounts) && added.width > 0 &&
+         added.height > 0 && added.width == removed.width && added.height == removed.height &&
          checkImageSize(size, "").has_value();
 }
 

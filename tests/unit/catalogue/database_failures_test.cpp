@@ -42,7 +42,7 @@ TEST_F(DatabaseFailuresTest, NamesTheFile_WhenItIsNoDatabase) {
 TEST_F(DatabaseFailuresTest, MakesACatalogue_WhenTheFileIsEmpty) {
   write("");
   EXPECT_EQ(messageOf(file()), "(opened)");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "8");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "9");
 }
 
 TEST_F(DatabaseFailuresTest, RefusesUnchanged_WhenTheDatabaseIsAnotherPrograms) {

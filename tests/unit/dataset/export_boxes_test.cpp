@@ -76,7 +76,7 @@ TEST_F(BoxExportTest, LabelCloudHasBoxesInTheFrameOfItsCloud) {
   const Json classes = exported().json("labels/_classes.json");
   EXPECT_EQ(classes["format"], "centroid_abs");
   EXPECT_EQ(classes["classes"][0]["name"], "ball");
-  EXPECT_EQ(classes["classes"][1]["id"], 1);
+  EXPECT_EQ(classes["classes"][1]["id"], 2) << "ids as in COCO files, from 1";
 }
 
 TEST_F(BoxExportTest, ListsInstances) {

@@ -15,7 +15,7 @@ double overlapOf(const cv::Mat& a, const cv::Mat& b) {
 
 /// A disc of another colour, with noise.
 struct Disc {
-  cv::Mat mask = cv::Mat::zeros(240, 320, CV_8UC1), color{240, 320, CV_8UC3};
+  cv::Mat mask = cv::Mat::zeros(240, 320, CV_8UC1), color = cv::Mat(240, 320, CV_8UC3);
   Disc() {
     cv::circle(mask, {160, 120}, 60, 255, cv::FILLED);
     std::mt19937 random(3);
