@@ -62,7 +62,7 @@ std::vector<ClassId> ClassTable::familyOf(ClassId root) const {
 
 std::vector<ClassAttribute> ClassTable::attributesOf(ClassId root) const {
   std::vector<ClassId> family = familyOf(root);
-  std::ranges::stable_partition(family, [root](ClassId id) { return id == root; });
+  std::stable_partition(family.begin(), family.end(), [root](ClassId id) { return id == root; });
   std::vector<ClassAttribute> all;
   for (const ClassId id : family) {
     for (const ClassAttribute& attribute : classes_.at(id).attributes) {

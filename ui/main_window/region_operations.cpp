@@ -124,7 +124,7 @@ void RegionOperations::markSupports() {
 void RegionOperations::join() {
   std::vector<RegionId> regions = selection_.selected();
   if (regions.size() < 2) return;
-  std::ranges::stable_partition(regions, [this](RegionId region) {
+  std::stable_partition(regions.begin(), regions.end(), [this](RegionId region) {
     const RegionInfo* const info = selection_.info(region);
     return info != nullptr && !info->note.name.empty();
   });
