@@ -21,7 +21,8 @@ namespace {
 
 struct ExportCommand {
   std::string folder, database, out, format, device, license;
-  bool all_frames = false, background = false, include_unfit = false, centered = false, json = false;
+  bool all_frames = false, background = false, include_unfit = false, centered = false, json = false,
+       checked_only = false;
 };
 
 /// Prints progress on stderr in steps of ten percent. Ctrl+C cancels the export.
@@ -112,7 +113,8 @@ Result<void> exportSession(const ExportCommand& command) {
   ExportProgressPrinter printer;
   const auto exportScan = command.centered ? exportCenteredMesh : exportDataset;
   const ExportOptions options{
-      *format, command.out, command.all_frames, command.background, command.include_unfit, command.license};
+      *format,         command.out,         command.all_frames, command.background, command.include_unfit,
+      command.license, command.checked_only};
   const auto summary = exportScan(scan, options, std::ref(printer), printer.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
@@ -146,6 +148,7 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
       ->required()
       ->type_name("DIR2");
   sub->add_flag("--all-frames", command->all_frames, "export all stored frames, not only key frames");
+  sub->add_flag("--checked-only", command->checked_only, "export only key frames whose review is checked");
   sub->add_flag("--background", command->background, "include background and rejected regions");
   sub->add_flag("--include-unfit-frames,--include-blurred", command->include_unfit,
                 "include frames that are blurred, or whose depth and colour do not fit");
@@ -162,10 +165,10 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
       throw CLI::ValidationError("DIR", "is a session, --database a catalogue. Give one of them");
     }
     if (is_catalogue && (!command->format.empty() || command->all_frames || command->background ||
-                         command->include_unfit || !command->license.empty())) {
+                         command->include_unfit || command->checked_only || !command->license.empty())) {
       throw CLI::ValidationError("--database",
                                  "cannot be combined with --format, --all-frames, --background, "
-                                 "--include-unfit-frames or --license");
+                                 "--include-unfit-frames, --checked-only or --license");
     }
     if (command->centered && command->format != "mesh")
       throw CLI::ValidationError("--centred", "needs --format mesh");

@@ -31,6 +31,9 @@ struct SessionArguments {
   bool paint_adds = false, paint_removes = false, paint_sets = false;
   bool this_image_only = false;
   std::string out;
+  std::vector<int> review_frames;
+  std::string review_state;
+  bool list = false;
 };
 
 /// The region and point at a pixel, given as "N:x,y" or as "x,y" of `frame`. Error: another format, or as

@@ -14,6 +14,7 @@
 #include "app/session_paint.h"
 #include "app/session_readout.h"
 #include "app/session_refine_command.h"
+#include "app/session_review.h"
 #include "app/session_suggest.h"
 #include "core/base/text.h"
 
@@ -133,6 +134,29 @@ void addPaint(CLI::App& parent, const std::shared_ptr<SessionArguments>& argumen
   masks->add_option("--out", arguments->out, "the new file")->required()->type_name("FILE");
 }
 
+void checkReview(const SessionArguments& given) {
+  if (given.list != (given.review_frames.empty() && given.review_state.empty()))
+    throw CLI::ValidationError("--list", "lists the states, --frame and --state set them. Give one of them");
+  if (given.review_frames.empty() != given.review_state.empty())
+    throw CLI::ValidationError("--frame", "and --state need each other");
+}
+
+void addReview(CLI::App& parent, const std::shared_ptr<SessionArguments>& arguments, CommandJob& job) {
+  CLI::App* review = addAction(parent, "review", "Set or list the review states of key frames", arguments,
+                               job, reviewKeyFrames, checkReview);
+  review->add_option("--frame", arguments->review_frames, "frame number in the recording; may be repeated")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("N");
+  review
+      ->add_option("--state", arguments->review_state,
+                   "checked: its labels are right; left-out: no data set has it; open: not checked yet")
+      ->check(CLI::IsMember({"checked", "open", "left-out"}))
+      ->type_name("checked|open|left-out");
+  review->add_flag("--list", arguments->list, "list all key frames with their states");
+}
+
 }  // namespace
 
 void addSessionCommand(CLI::App& app, CommandJob& job) {
@@ -196,6 +220,7 @@ void addSessionCommand(CLI::App& app, CommandJob& job) {
   addPoints("--there", arguments->there,
             "a point of the other part; may be repeated (default: what surrounds --here in other colours)");
   addPaint(*parent, arguments, job, addFrame);
+  addReview(*parent, arguments, job);
   const auto addSteps = [&](CLI::App* sub) {
     sub->add_option("--steps", arguments->steps, "number of operations")
         ->check(CLI::PositiveNumber)

@@ -153,6 +153,7 @@ Result<void> listOperations(OpenSession& session, const SessionArguments& argume
   for (const OperationLog::Entry& entry : session.history().entries()) {
     Json one{{"number", entry.number}, {"state", wordFor(entry.state)}};
     one.update(Json::parse(operationToJson(entry.operation)));
+    if (entry.operation.review) one["review"] = toString(entry.operation.review->state);
     json.push_back(std::move(one));
   }
   if (arguments.json) {
@@ -165,6 +166,8 @@ Result<void> listOperations(OpenSession& session, const SessionArguments& argume
     for (const RegionId region : entry.operation.regions) std::cout << ' ' << region.value;
     if (!entry.operation.name.empty()) std::cout << "  " << inLine(entry.operation.name);
     if (entry.operation.correction) std::cout << "  " << correctionText(session, entry.operation);
+    if (const std::optional<FrameReview>& review = entry.operation.review)
+      std::cout << " image " << review->image << ": " << toString(review->state);
     std::cout << '\n';
   }
   return {};

@@ -9,6 +9,7 @@
 #include "core/dataset/centered_mesh.h"
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/dataset_readme.h"
+#include "core/dataset/frame_choice.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/staged_folder.h"
 
@@ -102,8 +103,9 @@ Result<DatasetFormat> parseDatasetFormat(std::string_view name) {
 Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& options) {
   const auto regions = scan.regions();
   if (!regions) return fail(regions.error());
-  const auto frames = scan.keyFrames(options.all_frames);
-  if (!frames) return fail(frames.error());
+  const auto choice = chooseFrames(scan, options);
+  if (!choice) return fail(choice.error());
+  const std::vector<KeyFrameInfo>* const frames = &choice->frames;
   ExportPreview preview;
   preview.regions = static_cast<int>(chooseRegions(*regions, options.background).size());
   double voxels = 0;

@@ -45,6 +45,7 @@ struct ExportOptions {
   bool background = false;       ///< include regions that are background or rejected
   bool include_unfit = false;    ///< include frames that are blurred, or whose depth and colour do not fit
   std::string license = {};      ///< name or text; empty: none was given
+  bool checked_only = false;     ///< only frames whose review is checked
 };
 
 /// The progress of an export: `done` of `total` steps, and the next one ("frame 120").

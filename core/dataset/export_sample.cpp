@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/dataset/frame_choice.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/region_choice.h"
 #include "core/exchange/region_palette.h"
@@ -68,8 +69,9 @@ cv::Mat pictureWithMasks(const KeyFrameImage& read) {
 Result<ExportSample> sampleExport(LabeledScan& scan, const ExportOptions& options, std::optional<int> index) {
   ExportSample sample;
   if (!hasImages(options.format)) return sample;
-  auto frames = scan.keyFrames(options.all_frames);
-  if (!frames) return fail(frames.error());
+  auto choice = chooseFrames(scan, options);
+  if (!choice) return fail(choice.error());
+  std::vector<KeyFrameInfo>* const frames = &choice->frames;
   const bool needs_color = options.format != DatasetFormat::masks;
   std::erase_if(*frames, [&](const KeyFrameInfo& frame) { return needs_color && frame.color_file.empty(); });
   sample.count = static_cast<int>(frames->size());

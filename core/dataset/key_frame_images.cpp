@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/regular_file.h"
+#include "core/dataset/frame_choice.h"
 #include "core/dataset/frame_fitness.h"
 #include "core/dataset/painted_masks.h"
 #include "core/dataset/region_choice.h"
@@ -126,8 +127,16 @@ std::unordered_set<int> idsOf(const std::vector<LabeledRegion>& regions) {
 
 Result<std::vector<KeyFrameInfo>> framesToExport(ExportJob& job, bool needs_color) {
   if (job.frames()) return *job.frames();
-  auto frames = job.scan().keyFrames(job.options().all_frames);
-  if (!frames) return fail(frames.error());
+  auto choice = chooseFrames(job.scan(), job.options());
+  if (!choice) return fail(choice.error());
+  std::vector<KeyFrameInfo>* const frames = &choice->frames;
+  if (const std::string missing = choice->missing(); !missing.empty()) {
+    if (frames->empty()) {
+      return fail("No image of the scan " + job.scan().name() + " can be exported: " + missing,
+                  "Check key frames, or reopen them: 'scantrove session review --list' shows their states.");
+    }
+    job.summary().notes.push_back(missing);
+  }
   if (frames->empty())
     return fail("The scan " + job.scan().name() + " has no key frames: there are no images to export.");
   std::vector<std::string>& skipped = job.summary().skipped;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/review_state.h"
 #include "core/base/stamped_pose.h"
 #include "core/capture/intrinsics.h"
 #include "core/catalogue/object_class.h"
@@ -58,6 +59,7 @@ struct KeyFrameInfo {
   Intrinsics K_color;  ///< of the colour image, at its size; registered colour: K_depth scaled to it
   Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();  ///< registered colour: identity
   std::filesystem::path color_file;  ///< JPEG or PNG as recorded; empty: no colour
+  ReviewState review = ReviewState::open;
 
   /// T_world_color.
   [[nodiscard]] Eigen::Isometry3d colorCameraPose() const { return T_world_depth * T_color_depth.inverse(); }
@@ -92,7 +94,8 @@ class LabeledScan {
   [[nodiscard]] virtual Result<std::vector<LabeledRegion>> regions() = 0;
   /// All classes of the catalogue, hidden ones too; empty: it has none. After regions().
   [[nodiscard]] virtual std::vector<ObjectClass> classes() { return {}; }
-  /// Frames with a pose, in order of time: key frames, or all stored frames.
+  /// Frames with a pose, in order of time: key frames, or all stored frames. Those that were left out are
+  /// among them, with their review state; frame_choice.h chooses those of a data set.
   [[nodiscard]] virtual Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) = 0;
   /// The colour image of the key frame with `index`: CV_8UC3, BGR, of the size of K_color.
   [[nodiscard]] virtual Result<cv::Mat> color(int index) = 0;

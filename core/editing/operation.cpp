@@ -11,7 +11,7 @@ namespace scantrove {
 namespace {
 
 using Kind = OperationKind;
-constexpr std::array<std::pair<Kind, std::string_view>, 10> kKinds{{{Kind::name, "name"},
+constexpr std::array<std::pair<Kind, std::string_view>, 11> kKinds{{{Kind::name, "name"},
                                                                     {Kind::accept, "accept"},
                                                                     {Kind::join, "join"},
                                                                     {Kind::cut, "cut"},
@@ -20,7 +20,8 @@ constexpr std::array<std::pair<Kind, std::string_view>, 10> kKinds{{{Kind::name,
                                                                     {Kind::background, "background"},
                                                                     {Kind::object, "object"},
                                                                     {Kind::reject, "reject"},
-                                                                    {Kind::paint, "paint"}}};
+                                                                    {Kind::paint, "paint"},
+                                                                    {Kind::review, "review"}}};
 
 }  // namespace
 

@@ -7,11 +7,12 @@
 
 #include "core/base/ids.h"
 #include "core/base/result.h"
+#include "core/editing/frame_review.h"
 #include "core/editing/mask_correction.h"
 
 namespace scantrove {
 
-/// A person's edit of the regions of a scan.
+/// A person's edit of a scan: of its regions, or a review of a key frame.
 enum class OperationKind {
   name,        ///< sets the region's name and category
   accept,      ///< the same, with the program's proposal
@@ -22,7 +23,8 @@ enum class OperationKind {
   background,  ///< wall, floor, table: not an object; by default not in data sets
   object,      ///< an object, complete or not
   reject,      ///< not an object, and not to be proposed again
-  paint        ///< corrects the mask of the region in one image, and the regions behind it
+  paint,       ///< corrects the mask of the region in one image, and the regions behind it
+  review       ///< sets the review state of a key frame; concerns no region
 };
 
 [[nodiscard]] std::string_view toString(OperationKind kind);
@@ -46,6 +48,7 @@ struct Operation {
   std::vector<Eigen::Vector3f> there_world = {};
   int frame = -1;                                 ///< number of frames scanned before it
   std::optional<MaskCorrection> correction = {};  ///< of paint
+  std::optional<FrameReview> review = {};         ///< of review
 
   bool operator==(const Operation&) const = default;
 };

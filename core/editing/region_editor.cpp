@@ -69,6 +69,10 @@ Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& given, const 
   const Result<Operation> checked = withCheckedNames(given);
   if (!checked) return fail(checked.error());
   const Operation& operation = *checked;
+  if (operation.kind == OperationKind::review && operation.review) {
+    log_.add(operation, {});
+    return Outcome{{}, {}, operation};
+  }
   if (operation.regions.empty()) return fail("An operation names no region.", "Say which region is meant.");
   for (const RegionId region : operation.regions) {
     if (!exists(region)) {
@@ -105,6 +109,7 @@ Result<void> RegionEditor::run(Work& work) {
     case OperationKind::background:
     case OperationKind::object:
     case OperationKind::reject:
+    case OperationKind::review:
       break;
   }
   return note(work);

@@ -32,7 +32,7 @@ class RegionEditor {
   /// A cut without places on the other side separates what the given places show from what surrounds them in
   /// other colours. On an error nothing changes: unknown region, invalid name, a cut with both sides at one
   /// place, nothing to split, ... `painted`: of a paint, the surface behind the image; null corrects the
-  /// image alone.
+  /// image alone. A review only enters the log.
   [[nodiscard]] Result<Outcome> apply(const Operation& given, const LabelingParams& params,
                                       const PaintedSurface* painted = nullptr);
   /// Undoes only the newest operation. Later changes by frames stay. Fragments that frames split off since,

@@ -49,6 +49,7 @@ struct DoneOperation {
   std::string name;
   bool on = true;
   OperationLog::State state = OperationLog::State::done;
+  std::optional<FrameReview> review = {};  ///< of a review
 };
 
 }  // namespace scantrove

@@ -48,7 +48,7 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
   OpenSession& opened = *review->session_;
   review->segmentation_ = params.segmentation;
 
-  std::vector<int> numbers;
+  std::vector<int> in_source, numbers;
   std::vector<Eigen::Vector3f> trail;
   for (const SavedFrame& frame : opened.frames()) {
     if (frame.isUsable()) trail.push_back(frame.T_world_camera.translation().cast<float>());
@@ -57,9 +57,10 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
     const SavedFrame* frame = opened.frameOf(key);
     if (frame == nullptr || !frame->isUsable()) continue;
     review->key_frames_.push_back(&key);
-    numbers.push_back(frame->source_index);
+    in_source.push_back(frame->source_index);
+    numbers.push_back(key.frame);
   }
-  review->snapshots_.setKeyFrames(std::move(numbers), std::move(trail));
+  review->snapshots_.setKeyFrames(std::move(in_source), std::move(numbers), std::move(trail));
   review->snapshots_.setLabels({[&opened] { return opened.labels(); }});
   // The newest, which was seen last when a scan has just ended.
   review->shown_ = static_cast<int>(review->key_frames_.size()) - 1;
@@ -163,7 +164,8 @@ Result<void> ScanReview::edit(const ScanEdit& edit) {
   } else {
     listener_(EditFailed{edit, outcome.error()});
   }
-  return showCurrent();
+  const bool is_review = outcome && outcome->operation.kind == OperationKind::review;
+  return is_review ? post() : showCurrent();  // a review changes no picture
 }
 
 template <class Event, class Value>

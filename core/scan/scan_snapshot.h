@@ -11,6 +11,7 @@
 #include "core/capture/intrinsics.h"
 #include "core/collection/seen_object.h"
 #include "core/discovery/region_set.h"
+#include "core/editing/frame_review.h"
 #include "core/fusion/fusion_params.h"
 #include "core/scan/frame_counts.h"
 #include "core/scan/packed_surface.h"
@@ -79,6 +80,7 @@ struct ScanSnapshot {
   /// the panels (-1: none).
   std::shared_ptr<const std::vector<int>> key_frames;
   int shown_key_frame = -1;
+  std::shared_ptr<const std::vector<FrameReview>> reviews;  ///< of each of `key_frames`; null like these
 
   std::vector<CloudBrick> changed_bricks;
   std::vector<RegionChange> changed_regions;  ///< the last of several for one fragment counts

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/editing/frame_review_states.h"
 #include "core/fusion/kernels/color_voxel.h"
 
 namespace scantrove {
@@ -93,8 +94,19 @@ void SnapshotBuilder::addFrame(const MappingPipeline& pipeline, RgbdFrame frame,
   showFrame(std::move(frame), std::move(result), std::move(objects));
 }
 
-void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail) {
+void SnapshotBuilder::addReviews(const MappingPipeline& pipeline, ScanSnapshot& snapshot) const {
+  if (key_frames_ == nullptr) return;
+  const std::map<int, ReviewState> states = reviewStatesOf(pipeline.labels().editor().log());
+  auto reviews = std::make_shared<std::vector<FrameReview>>();
+  for (std::size_t i = 0; i < key_frames_->size(); ++i)
+    reviews->push_back({key_frame_numbers_[i], (*key_frames_)[i], stateIn(states, key_frame_numbers_[i])});
+  snapshot.reviews = std::move(reviews);
+}
+
+void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<int> numbers,
+                                   std::vector<Eigen::Vector3f> trail) {
   key_frames_ = std::make_shared<const std::vector<int>>(std::move(key_frames));
+  key_frame_numbers_ = std::move(numbers);
   trail_ = std::move(trail);
 }
 
@@ -143,6 +155,7 @@ Result<void> SnapshotBuilder::post(MappingPipeline& pipeline, const ScanProgress
   }
   snapshot->key_frames = key_frames_;
   snapshot->shown_key_frame = shown_key_frame_;
+  addReviews(pipeline, *snapshot);
   SCANTROVE_TRY(addChangedBricks(pipeline, which, *snapshot));
   for (const StageTimer::Stage& stage : pipeline.timer().stages()) {
     snapshot->stage_times.push_back({stage.name, stage.last_ms});
@@ -206,8 +219,8 @@ void SnapshotBuilder::addRegions(MappingPipeline& pipeline, ScanSnapshot& snapsh
   auto operations = std::make_shared<std::vector<DoneOperation>>();
   for (const OperationLog::Entry& entry : pipeline.labels().editor().log().entries()) {
     const Operation& operation = entry.operation;
-    operations->push_back(
-        {entry.number, operation.kind, operation.regions, operation.name, operation.on, entry.state});
+    operations->push_back({entry.number, operation.kind, operation.regions, operation.name, operation.on,
+                           entry.state, operation.review});
   }
   snapshot.operations = std::move(operations);
 }

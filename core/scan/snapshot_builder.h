@@ -51,8 +51,10 @@ class SnapshotBuilder {
   void beginEdit(MappingPipeline& pipeline) { keepRegionChanges(pipeline, false); }
   void endEdit(MappingPipeline& pipeline);
 
-  /// For review: see ScanSnapshot. Of earlier frames only the camera trail.
-  void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
+  /// For review: see ScanSnapshot; `numbers`: SavedFrame::number of each. Of earlier frames only the camera
+  /// trail.
+  void setKeyFrames(std::vector<int> key_frames, std::vector<int> numbers,
+                    std::vector<Eigen::Vector3f> trail);
   void setShownKeyFrame(int place) { shown_key_frame_ = place; }
   /// An earlier frame, rendered from the current map.
   void showFrame(RgbdFrame frame, FrameResult result, std::vector<SeenObject> objects) {
@@ -87,6 +89,7 @@ class SnapshotBuilder {
   void keepRegionChanges(MappingPipeline& pipeline, bool by_person);
   void addPictures(ScanSnapshot& snapshot) const;
   void addRegions(MappingPipeline& pipeline, ScanSnapshot& snapshot) const;
+  void addReviews(const MappingPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
   LatestValue<ScanSnapshot>& mailbox_;
@@ -104,6 +107,7 @@ class SnapshotBuilder {
   std::chrono::steady_clock::time_point last_post_;
   double fps_ = 0;
   std::shared_ptr<const std::vector<int>> key_frames_;
+  std::vector<int> key_frame_numbers_;  // SavedFrame::number of each
   int shown_key_frame_ = -1;
   Labels labels_;
 };

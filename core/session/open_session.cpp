@@ -291,7 +291,8 @@ Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> ou
   joinObjects(*outcome, direction);
   if (isNaming(outcome->operation.kind))
     setMetadata(kObjectsKey, withoutRegions(metadata(kObjectsKey), outcome->operation.regions));
-  if (areResultsCurrent()) setMetadata(kResultsKey, kResultsEdited);
+  const bool is_review = outcome->operation.kind == OperationKind::review;
+  if (areResultsCurrent() && !is_review) setMetadata(kResultsKey, kResultsEdited);
   std::vector<CatalogueStep> steps;
   if (has_catalogue_ && !setup_.database.empty())
     steps = catalogueStepsOf(outcome->operation, direction,
@@ -306,6 +307,12 @@ Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> ou
 }
 
 Result<RegionEditor::Outcome> OpenSession::edit(const Operation& operation) {
+  if (operation.review && std::ranges::find(scan_.key_frames, operation.review->key_frame,
+                                            &SavedKeyFrame::frame) == scan_.key_frames.end()) {
+    return fail("No image of frame " + std::to_string(operation.review->image) + " was kept in " +
+                    folder_.string() + ".",
+                "'scantrove session review --list' lists the key frames.");
+  }
   if (operation.kind != OperationKind::paint) return keep(pipeline_->edit(operation), EditDirection::done);
   const Result<std::optional<PaintedSurface>> painted = paintedSurfaceOf(*this, operation);
   if (!painted) return fail(painted.error());

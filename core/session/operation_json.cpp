@@ -113,6 +113,7 @@ std::string operationToJson(const Operation& operation) {
   if (!operation.there_world.empty()) json["there"] = placesOf(operation.there_world);
   if (operation.frame >= 0) json["frame"] = operation.frame;
   if (operation.correction) json["mask"] = maskToJson(*operation.correction);
+  if (operation.review) json["image"] = operation.review->image;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -131,6 +132,8 @@ std::optional<Operation> operationFromJson(const std::string& text) {
     operation.there_world = placesFrom(json.value("there", Json::array()));
     operation.frame = json.value("frame", -1);
     if (json.contains("mask")) operation.correction = maskFrom(json.at("mask"));
+    if (operation.kind == OperationKind::review)
+      operation.review = FrameReview{.image = countFrom(json.at("image"))};
     return operation;
   });
 }

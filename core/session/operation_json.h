@@ -7,7 +7,7 @@
 namespace scantrove {
 
 /// Operations as text: {"kind": "join", "regions": [3, 7], ...}; empty members are left out,
-/// and so are painted pixels (mask_rows.h).
+/// and so are painted pixels (mask_rows.h) and what a review says (review_rows.h).
 [[nodiscard]] std::string operationToJson(const Operation& operation);
 [[nodiscard]] std::string effectToJson(const OperationEffect& effect);
 /// None: malformed.

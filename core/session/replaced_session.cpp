@@ -8,10 +8,10 @@ namespace scantrove {
 namespace {
 
 /// Tables of schema/, without `schema_migrations` and `files`. Tables of others stay.
-constexpr const char* kTables[] = {"facts",     "fact_copies", "frames",          "key_frames",
-                                   "fragments", "regions",     "borders",         "operations",
-                                   "camera",    "pages",       "recordings",      "table_sums",
-                                   "estimates", "objectness",  "mask_corrections"};
+constexpr const char* kTables[] = {"facts",     "fact_copies", "frames",           "key_frames",
+                                   "fragments", "regions",     "borders",          "operations",
+                                   "camera",    "pages",       "recordings",       "table_sums",
+                                   "estimates", "objectness",  "mask_corrections", "frame_reviews"};
 
 }  // namespace
 

@@ -13,6 +13,7 @@
 #include "core/session/operation_rows.h"
 #include "core/session/recording_rows.h"
 #include "core/session/region_rows.h"
+#include "core/session/review_rows.h"
 
 namespace scantrove::rows {
 namespace {
@@ -39,7 +40,8 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
   if (delta.objectness) SCANTROVE_TRY(writeObjectness(database, *delta.objectness));
   if (delta.camera) SCANTROVE_TRY(writeCamera(database, *delta.camera));
   SCANTROVE_TRY(writeOperations(database, delta.operations));
-  return writeMasks(database, delta.operations);
+  SCANTROVE_TRY(writeMasks(database, delta.operations));
+  return writeReviews(database, delta.operations);
 }
 
 Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages) {
@@ -52,6 +54,7 @@ Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& d
   SCANTROVE_TRY(moveInto(scan.objectness, readObjectness(database, damages)));
   SCANTROVE_TRY(readOperations(database, scan, damages));
   SCANTROVE_TRY(readMasks(database, scan, damages));
+  SCANTROVE_TRY(readReviews(database, scan, damages));
   return scan;
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "core/editing/frame_review_states.h"
 #include "core/fusion/kernels/color_voxel.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/key_frame_choice.h"
@@ -105,15 +106,21 @@ Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
   std::vector<KeyFrameInfo> list;
   // A frame without colour does not stand for a place that another one shows with colour.
   KeyFrameChoice choice, with_color;
+  const std::map<int, ReviewState> states = reviewStatesOf(session_.history());
+  const auto isLeftOut = [&](const StoredFrame& kept) {
+    return stateIn(states, kept.images->frame) == ReviewState::left_out;
+  };
   for (const StoredFrame& kept : stored_) {
-    if (!kept.images->color_file.empty()) with_color.takes(kept.frame->T_world_camera);
+    if (!kept.images->color_file.empty() && !isLeftOut(kept)) with_color.takes(kept.frame->T_world_camera);
   }
   for (const StoredFrame& kept : stored_) {
     const bool is_replaced = kept.images->color_file.empty() && !with_color.isNew(kept.frame->T_world_camera);
     if (is_replaced && !all_frames) continue;
-    if (!choice.takes(kept.frame->T_world_camera) && !all_frames) continue;
+    // A frame that was left out does not stand for its place either.
+    if (!isLeftOut(kept) && !choice.takes(kept.frame->T_world_camera) && !all_frames) continue;
     KeyFrameInfo info = infoOf(session_, *kept.images, *kept.frame);
     info.index = kept.index;
+    info.review = stateIn(states, kept.images->frame);
     list.push_back(std::move(info));
   }
   return list;

@@ -113,8 +113,9 @@ void change(DatabaseConnection& database, std::string_view lines) {
                            {valueOf(line.substr(equals + 1))});
   }
   // Without checksums, as in older sessions, so that the checks of values are reached.
-  for (const char* table : {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations",
-                            "pages", "camera", "estimates", "objectness", "mask_corrections"})
+  for (const char* table :
+       {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages", "camera",
+        "estimates", "objectness", "mask_corrections", "frame_reviews"})
     (void)database.execute(QString("UPDATE %1 SET row_check = NULL").arg(table));
 }
 
@@ -169,6 +170,8 @@ std::vector<std::string> seeds() {
       "operations.operation={\"kind\": \"paint\", \"regions\": [3], \"mask\": {\"key_frame\": 2, \"image\": "
       "2, "
       "\"size\": [640, 480]}}\n",
+      "operations.operation={\"kind\": \"review\", \"regions\": [], \"image\": 7}\n",
+      "frame_reviews.key_frame=#0\nframe_reviews.state=checked\n",
       "fragments.fragment=#12\nfragments.region=#3\nfragments.voxels=#77\n"};
 }
 

@@ -146,7 +146,7 @@ def swap_files(chance, session):
     return f"{a.name} and {b.name} swapped"
 
 
-ROW_TABLES = ["facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages", "recordings", "objectness", "mask_corrections"]
+ROW_TABLES = ["facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages", "recordings", "objectness", "mask_corrections", "frame_reviews"]
 
 
 def some_row(chance, base):

@@ -186,6 +186,7 @@ void RegionOperations::updateHistory(const std::vector<DoneOperation>& operation
     described.regions = operation.regions;
     described.name = operation.name;
     described.on = operation.on;
+    described.review = operation.review;
     const QString text = descriptionOf(described);
     steps.push_back(std::make_shared<Command>(*this, text, std::move(described), true));
     if (operation.state == OperationLog::State::done) ++done;
@@ -239,6 +240,7 @@ void RegionOperations::editFailed(const EditFailed& event) {
 }
 
 QString RegionOperations::descriptionOf(const Operation& operation) const {
+  if (operation.review) return descriptionOf(*operation.review);
   QString what = operation.regions.size() == 1
                      ? selection_.title(operation.regions.front())
                      : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
@@ -265,8 +267,22 @@ QString RegionOperations::descriptionOf(const Operation& operation) const {
       return tr("Correct mask of %1 in image %2")
           .arg(what)
           .arg(operation.correction ? operation.correction->image : 0);
+    case OperationKind::review:
+      break;
   }
   return what;
+}
+
+QString RegionOperations::descriptionOf(const FrameReview& review) {
+  switch (review.state) {
+    case ReviewState::open:
+      return tr("Image %1: open").arg(review.image);
+    case ReviewState::checked:
+      return tr("Image %1: checked").arg(review.image);
+    case ReviewState::left_out:
+      return tr("Image %1: left out").arg(review.image);
+  }
+  return {};
 }
 
 void RegionOperations::proposeSimilar(const Operation& naming) {

@@ -71,6 +71,7 @@ class RegionOperations : public QObject {
   void addStep(const Operation& operation);
   void editFailed(const EditFailed& event);
   [[nodiscard]] QString descriptionOf(const Operation& operation) const;
+  [[nodiscard]] static QString descriptionOf(const FrameReview& review);
   /// Suggests regions similar to the named one.
   void proposeSimilar(const Operation& naming);
   void accept(const std::vector<Proposal>& accepted);

@@ -308,7 +308,7 @@ TEST(SessionStore, OpensTheFirstVersion_WithoutViewCoverage) {
          {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages"})
       ASSERT_TRUE((*connection)->execute(QString("ALTER TABLE %1 DROP COLUMN row_check").arg(table)));
     for (const char* table : {"camera", "recordings", "table_sums", "fact_copies", "files", "estimates",
-                              "objectness", "mask_corrections"})
+                              "objectness", "mask_corrections", "frame_reviews"})
       ASSERT_TRUE((*connection)->execute(QString("DROP TABLE %1").arg(table)));
     ASSERT_TRUE((*connection)->execute("DELETE FROM schema_migrations WHERE version > 1"));
     ASSERT_TRUE((*connection)->execute("PRAGMA user_version = 1"));
