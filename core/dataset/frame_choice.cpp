@@ -13,9 +13,9 @@ std::string countOfFrames(int frames, const std::string& are) {
 
 std::string FrameChoice::missing() const {
   if (left_out == 0 && unchecked == 0) return {};
-  if (unchecked == 0) return countOfFrames(left_out, "left out by their review.");
+  if (unchecked == 0) return countOfFrames(left_out, "left out in review.");
   std::string sentence = countOfFrames(unchecked, "not checked");
-  if (left_out > 0) sentence += ", " + countOfFrames(left_out, "left out by their review");
+  if (left_out > 0) sentence += ", " + countOfFrames(left_out, "left out in review");
   return sentence + ".";
 }
 

@@ -19,6 +19,7 @@
 #include "core/database/database_connection.h"
 #include "core/labeling/region_partition.h"
 #include "core/session/inside_folder.h"
+#include "core/session/review_rows.h"
 #include "core/session/session_schema.h"
 #include "core/session/session_setup.h"
 #include "core/session/session_store.h"
@@ -180,6 +181,7 @@ Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
                           "SELECT count(DISTINCT object) FROM regions WHERE object > 0"
                           " AND region IN (SELECT region FROM fragments)",
                           summary.objects));
+  SCANTROVE_TRY(moveInto(summary.reviews, rows::countReviews(database)));
   SCANTROVE_TRY(readNames(database, summary));
   return readPicture(database, summary);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/review_state.h"
 #include "core/session/saved_scan.h"
 
 namespace scantrove {
@@ -17,6 +18,7 @@ struct SessionSummary {
   std::string started;            ///< ISO 8601, UTC; empty: unknown
   std::filesystem::path picture;  ///< colour image of the middle key frame; empty: none
   int frames = 0, tracked = 0, key_frames = 0;
+  ReviewCounts reviews;            ///< of key frames with a pose
   int regions = 0;                 ///< of at least kSmallFragmentVoxels voxels
   int objects = 0;                 ///< objects of the catalogue among its regions
   std::vector<std::string> names;  ///< of regions, sorted, without duplicates

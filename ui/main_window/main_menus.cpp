@@ -15,6 +15,7 @@
 #include "ui/main_window/project_choice.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
+#include "ui/main_window/review_controller.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/main_window/view_actions.h"
@@ -84,13 +85,18 @@ void MainMenus::makeMenus() {
   regions->addSeparator();
   regions->addActions({of_regions.next, of_regions.previous});
 
+  QMenu* review = window_.menuBar()->addMenu(tr("Revie&w"));
+  review->addActions({actions.frame_back, actions.frame_on});
+  review->addSeparator();
+  review->addActions(parts_.review->actions());
+
   QMenu* view = window_.menuBar()->addMenu(tr("&View"));
   view->addActions({parts_.scene->followAction(), parts_.scene->fitAction(), parts_.scene->gridAction(),
                     window_.guide().action()});
   view->addSeparator();
   parts_.scene->viewActions()->addTo(view);
   view->addSeparator();
-  view->addActions({actions.next_picture, actions.frame_back, actions.frame_on});
+  view->addAction(actions.next_picture);
   view->addSeparator();
   for (const QDockWidget* dock : window_.docks().docks()) view->addAction(dock->toggleViewAction());
   view->addActions({actions.reset_layout, actions.present});

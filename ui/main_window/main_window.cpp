@@ -14,10 +14,12 @@
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_menus.h"
+#include "ui/main_window/next_step_guide.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/project_choice.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
+#include "ui/main_window/review_controller.h"
 #include "ui/main_window/saved_scan_list.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scan_display.h"
@@ -28,6 +30,7 @@
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/next_step_strip.h"
 #include "ui/panels/object_list_view.h"
 #include "ui/panels/object_panel.h"
 #include "ui/panels/params_panel.h"
@@ -59,6 +62,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   makeCenter();
   makeDocks(options.params);
   regions_ = new RegionController(controller_->bridge(), *parts_.scene, *parts_.frames, history_, *this);
+  parts_.review = new ReviewController(*parts_.time_line, regions_->operations(), this);
   guide_ = new CoverageGuide(regions_->selection(), *parts_.scene, model_, this);
   docks_->add({tr("History"), "historyDock", tr("Ctrl+4"), Qt::RightDockWidgetArea, kFramesWidth, true},
               new HistoryPanel(history_.stack()));
@@ -70,6 +74,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   statusBar()->setContentsMargins(0, 0, 0, 0);
   new MainMenus(*this);
   new ScanDisplay(*this);
+  new NextStepGuide(*this);
   connectRegions();
 
   resize(1480, 920);
@@ -106,6 +111,8 @@ void MainWindow::makeCenter() {
   layout->addWidget(center_, 1);
   parts_.time_line = new TimeLine;
   layout->addWidget(parts_.time_line);
+  parts_.next_steps = new NextStepStrip;
+  layout->addWidget(parts_.next_steps);
   setCentralWidget(column);
 }
 
@@ -140,6 +147,7 @@ void MainWindow::showStartPage() {
   showTitle({});
   parts_.progress->clear();
   parts_.time_line->clear();
+  parts_.next_steps->beginScan();
 }
 
 void MainWindow::closeScan() {

@@ -5,9 +5,11 @@ namespace scantrove {
 class FramePanels;
 class MainActions;
 class MessageBar;
+class NextStepStrip;
 class ObjectPanel;
 class ParamsPanel;
 class ProgressStrip;
+class ReviewController;
 class ScenePane;
 class StartPage;
 class StatusStrip;
@@ -19,6 +21,8 @@ struct WindowParts {
   StartPage* start = nullptr;
   ScenePane* scene = nullptr;
   TimeLine* time_line = nullptr;
+  ReviewController* review = nullptr;
+  NextStepStrip* next_steps = nullptr;
   MessageBar* messages = nullptr;
   FramePanels* frames = nullptr;
   ObjectPanel* objects = nullptr;

@@ -73,6 +73,8 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("."), tr("Zoom to selection"));
   line(tr("Escape"), tr("Deselect"));
   line(tr("Page up, Page down"), tr("Previous, next key frame (after the scan)"));
+  line(tr("K, Shift+K, Ctrl+Shift+K"), tr("Key frame: checked; left out of data sets; open again"));
+  line(tr("Ctrl+Page down, Ctrl+Page up"), tr("Next, previous open key frame"));
   line(tr("Ctrl+E"), tr("Export data set"));
   heading(tr("3D view"));
   line(tr("Drag, arrow keys"), tr("Turn"));

@@ -1,0 +1,49 @@
+#include "ui/models/next_steps.h"
+
+#include <QCoreApplication>
+#include <set>
+
+namespace scantrove {
+
+int countUnnamed(const RegionInfos& regions) {
+  std::set<ObjectId> objects;
+  int without_entry = 0;
+  for (const RegionInfo& region : regions) {
+    const RegionLabel label = region.label.value_or(RegionLabel{});
+    const bool is_aside =
+        label.background || label.rejected || region.note.background || region.note.rejected;
+    if (is_aside || !region.name().empty()) continue;
+    if (region.object) {
+      objects.insert(region.object);
+    } else if (label.is_object || region.note.object) {
+      ++without_entry;
+    }
+  }
+  return static_cast<int>(objects.size()) + without_entry;
+}
+
+std::vector<NextStep> nextStepsOf(const WorkLeft& work) {
+  std::vector<NextStep> steps;
+  if (work.unnamed_objects > 0) steps.push_back({NextStep::Kind::name, work.unnamed_objects});
+  if (work.key_frames.open > 0) steps.push_back({NextStep::Kind::check, work.key_frames.open});
+  steps.push_back({NextStep::Kind::export_data, 0});
+  steps.front().is_next = true;
+  return steps;
+}
+
+QString textOf(const NextStep& step) {
+  const auto words = [](const char* text, int count = -1) {
+    return QCoreApplication::translate("NextSteps", text, nullptr, count);
+  };
+  switch (step.kind) {
+    case NextStep::Kind::name:
+      return step.left == 1 ? words("Name 1 found object") : words("Name %n found objects", step.left);
+    case NextStep::Kind::check:
+      return step.left == 1 ? words("Check 1 key frame") : words("Check %n key frames", step.left);
+    case NextStep::Kind::export_data:
+      return words("Export data set");
+  }
+  return {};
+}
+
+}  // namespace scantrove
