@@ -25,6 +25,7 @@ Json toJson(const SessionSummary& session) {
           {"frames", session.frames},
           {"tracked", session.tracked},
           {"key_frames", session.key_frames},
+          {"reviewed", session.reviews.reviewed()},
           {"regions", session.regions},
           {"named", session.names},
           {"objects", session.objects},

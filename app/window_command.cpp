@@ -16,8 +16,8 @@ std::string checkSource(const std::string& source) {
   std::error_code error;  // for example a dangling link, which openSource() reports
   if (names("demo") || isCameraName(source) || std::filesystem::exists(source, error) || error) return {};
   return "'" + source +
-         "' is neither a command nor something to open (a folder of a recording or of a saved scan, a "
-         "recorded file, demo, camera, freenect, realsense, record3d)";
+         "' is neither a command nor something to open (a folder of a recording, of a saved scan or of a "
+         "project, a recorded file, demo, camera, freenect, realsense, record3d)";
 }
 
 /// "1400x900"

@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "core/base/text.h"
+#include "core/project/opened_path.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/scan_controller.h"
@@ -96,7 +97,12 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
   window.show();
   if (options.present) window.presentation()->begin();
   if (!options.source.empty()) {
-    window.controller().open(QString::fromStdString(options.source), options.source_options, options.poses);
+    const QString source = QString::fromStdString(options.source);
+    if (recognizePath(options.source).kind == OpenedPath::Kind::other) {
+      window.controller().open(source, options.source_options, options.poses);
+    } else {
+      window.open(source);
+    }
   }
   if (options.screenshot) takePictureAtEnd(window, QString::fromStdString(options.screenshot->string()));
   return QApplication::exec();

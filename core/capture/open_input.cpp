@@ -23,7 +23,7 @@ constexpr const char* kKnownSources =
     "Looked for a 7-Scenes folder (frame-000000.depth.png ...), a TUM RGB-D folder (depth.txt, rgb.txt), "
     "numbered images (depth/ beside color/, image/ or rgb/), a ROS 2 recording (metadata.yaml), and folders "
     "of BOP, ScanNet, Replica, ICL-NUIM, SceneNN, BundleFusion, NYUv2 and FoundationPose, and of apps on "
-    "phones (see docs/devices.md).";
+    "phones (see docs/devices.md). A saved scan has a session.sqlite, a project a scantrove-project.json.";
 
 /// A 7-Scenes download contains its recordings in seq-01, seq-02, ...: the message says so.
 std::string recordingInside(const std::filesystem::path& folder, const std::vector<std::string>& names) {

@@ -17,7 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char *kProjectFile = "project.json", *kCatalogueFile = "catalogue.sqlite";
+constexpr const char *kProjectFile = "scantrove-project.json", *kCatalogueFile = "catalogue.sqlite";
+/// Of earlier versions; other programs use the name, too.
+constexpr const char* kOldProjectFile = "project.json";
 /// The key that marks the file; its value is the version of the format.
 constexpr const char* kVersionKey = "scantrove_project";
 constexpr int kVersion = 1;
@@ -26,8 +28,10 @@ constexpr const char* kDefaultName = "Default project";
 /// File systems allow 255 bytes; " (2)" and names of temporary files need some.
 constexpr std::size_t kLongestScanName_bytes = 200;
 
+/// The current folder for an empty path.
 fs::path absoluteFolder(const fs::path& folder) {
-  fs::path path = fs::absolute(folder).lexically_normal();
+  std::error_code failure;  // the current folder may be gone
+  fs::path path = fs::absolute(folder.empty() ? "." : folder, failure).lexically_normal();
   return path.has_filename() ? path : path.parent_path();
 }
 
@@ -55,6 +59,15 @@ Result<std::string> nameFrom(const fs::path& file, const fs::path& folder) {
   const Result<std::string> checked = checkedProjectName(name->get<std::string>());
   if (!checked) return damaged(file);
   return checked->empty() ? folder.filename().string() : *checked;
+}
+
+/// The file of the project in `folder`; none: it has none.
+fs::path projectFileIn(const fs::path& folder) {
+  std::error_code failure;
+  for (const char* name : {kProjectFile, kOldProjectFile}) {
+    if (fs::is_regular_file(folder / name, failure)) return folder / name;
+  }
+  return {};
 }
 
 Project projectIn(const fs::path& folder, std::string name) {
@@ -88,8 +101,17 @@ std::string usableTitle(std::string title) {
 }  // namespace
 
 bool isProjectFolder(const fs::path& folder) {
+  const fs::path path = absoluteFolder(folder);
+  return isProjectFile(path / kProjectFile) || isProjectFile(path / kOldProjectFile) || isDefaultFolder(path);
+}
+
+bool isProjectFile(const fs::path& file) {
   std::error_code failure;
-  return fs::is_regular_file(folder / kProjectFile, failure) || isDefaultFolder(folder);
+  if (!fs::is_regular_file(file, failure)) return false;
+  if (file.filename() == kProjectFile) return true;
+  if (file.filename() != kOldProjectFile) return false;
+  const Result<std::string> text = readFile(file, kLargestFile_bytes);
+  return text && text->find(kVersionKey) != std::string::npos;
 }
 
 Project defaultProject() {
@@ -99,7 +121,8 @@ Project defaultProject() {
 Result<Project> openProject(const fs::path& folder) {
   const fs::path path = absoluteFolder(folder);
   std::error_code failure;
-  if (!fs::exists(path / kProjectFile, failure)) {
+  const fs::path file = projectFileIn(path);
+  if (file.empty()) {
     if (isDefaultFolder(path)) return defaultProject();
     if (!fs::is_directory(path, failure)) {
       return fail("There is no folder " + path.string() + ".",
@@ -108,7 +131,7 @@ Result<Project> openProject(const fs::path& folder) {
     return fail(path.string() + " is not a project: it has no " + kProjectFile + ".",
                 "Give a project's folder, or make one with 'scantrove project create DIR'.");
   }
-  Result<std::string> name = nameFrom(path / kProjectFile, path);
+  Result<std::string> name = nameFrom(file, path);
   if (!name) return fail(name.error());
   return projectIn(path, std::move(*name));
 }
@@ -138,7 +161,8 @@ Result<Project> projectOfScan(const fs::path& folder) {
 }
 
 Project projectOfCatalogue(const fs::path& catalogue) {
-  const fs::path file = fs::absolute(catalogue).lexically_normal();
+  std::error_code failure;
+  const fs::path file = fs::absolute(catalogue, failure).lexically_normal();
   if (const Result<Project> project = openProject(file.parent_path()); project && project->catalogue == file)
     return *project;
   return {defaultProject().folder, file.filename().string(), file};

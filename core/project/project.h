@@ -8,9 +8,10 @@
 namespace scantrove {
 
 /// A folder with one catalogue and the scans whose objects it holds:
-///     project.json       name of the project; the folder is recognised by it
-///     catalogue.sqlite   objects and classes of all its scans
-///     scans/NAME/        one session for each scan
+///     scantrove-project.json   name of the project; the folder is recognised by it
+///     catalogue.sqlite         objects and classes of all its scans
+///     scans/NAME/              one session for each scan
+/// Projects of earlier versions have a project.json instead, which stays.
 /// It may be moved or copied as a whole: its scans find the catalogue of the folder that they lie in.
 struct Project {
   std::filesystem::path folder;     ///< absolute
@@ -20,19 +21,24 @@ struct Project {
   [[nodiscard]] std::filesystem::path scansFolder() const { return folder / "scans"; }
 };
 
-/// Whether `folder` is a project: it has a project.json, or is that of defaultProject(). Any thread.
+/// Whether `folder` is a project: it has a scantrove-project.json or a project.json of an earlier version, or
+/// is that of defaultProject(). Any thread.
 [[nodiscard]] bool isProjectFolder(const std::filesystem::path& folder);
 
+/// Whether `file` is the file by which a project's folder is recognised; `project.json`, a name that other
+/// programs use as well, by its content. Any thread.
+[[nodiscard]] bool isProjectFile(const std::filesystem::path& file);
+
 /// The project that is used unless another is chosen: $XDG_DATA_HOME/scantrove, or below ~/.local/share. It
-/// needs no project.json and may not exist yet.
+/// needs no scantrove-project.json and may not exist yet.
 [[nodiscard]] Project defaultProject();
 
-/// Error: missing, no project, damaged project.json, or written by a newer version.
+/// Error: missing, no project, a damaged file, or written by a newer version.
 [[nodiscard]] Result<Project> openProject(const std::filesystem::path& folder);
 
-/// Creates the folder (unless it exists and is empty) with project.json and an empty folder of scans.
-/// `name`: empty is the folder's name. Error: the folder holds other things or is a project already; not
-/// writable; an unusable name.
+/// Creates the folder (unless it exists and is empty) with scantrove-project.json and an empty folder of
+/// scans. `name`: empty is the folder's name. Error: the folder holds other things or is a project already;
+/// not writable; an unusable name.
 [[nodiscard]] Result<Project> createProject(const std::filesystem::path& folder, const std::string& name);
 
 /// The project in which the scan in `folder` lies. Error: as openProject.

@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "core/project/opened_path.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
@@ -192,14 +193,19 @@ void MainWindow::showScene() {
 void MainWindow::open(const QString& source) {
   if (!parts_.objects->list()->finishEditing()) return;
   parts_.messages->dismiss();
-  if (isProjectFolder(source.toStdString())) return openProjectFolder(source);
+  const OpenedPath path = recognizePath(source.toStdString());
+  const QString folder = QString::fromStdString(path.folder.string());
+  if (path.kind == OpenedPath::Kind::project) return openProjectFolder(folder);
+  if (path.kind == OpenedPath::Kind::scan) return controller_->openSession(folder);
   controller_->open(source);
 }
 
 void MainWindow::openSession(const QString& folder) {
   if (!parts_.objects->list()->finishEditing()) return;
   parts_.messages->dismiss();
-  controller_->openSession(folder);
+  const OpenedPath path = recognizePath(folder.toStdString());
+  const bool is_scan = path.kind == OpenedPath::Kind::scan;
+  controller_->openSession(is_scan ? QString::fromStdString(path.folder.string()) : folder);
 }
 
 bool MainWindow::leavesScan() {

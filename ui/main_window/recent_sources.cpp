@@ -33,8 +33,4 @@ void addRecentSource(const QString& source) {
 
 void clearRecentSources() { QSettings().remove(kKey); }
 
-bool isSessionFolder(const QString& folder) {
-  return QFileInfo::exists(folder + QStringLiteral("/session.sqlite"));
-}
-
 }  // namespace scantrove

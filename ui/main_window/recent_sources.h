@@ -8,7 +8,4 @@ namespace scantrove {
 void addRecentSource(const QString& source);
 void clearRecentSources();
 
-/// Whether the folder holds a saved scan.
-[[nodiscard]] bool isSessionFolder(const QString& folder);
-
 }  // namespace scantrove

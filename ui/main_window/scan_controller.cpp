@@ -1,9 +1,8 @@
 #include "ui/main_window/scan_controller.h"
 
 #include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
 
+#include "core/project/opened_path.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/panels/start_page.h"
 
@@ -77,7 +76,8 @@ void ScanController::refine() {
 }
 
 void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses) {
-  if (isSessionFolder(source)) return openSession(QDir(source).absolutePath());
+  if (const OpenedPath path = recognizePath(source.toStdString()); path.kind == OpenedPath::Kind::scan)
+    return openSession(QString::fromStdString(path.folder.string()));
   source_ = source;
   request_.source_options = options;
   request_.poses = poses;

@@ -25,8 +25,9 @@ void WindowDialogs::openFolder() {
 }
 
 void WindowDialogs::openRecording() {
-  const QString file =
-      chooseFile(&window_, tr("Recording"), tr("Recordings (*.oni *.bag *.db3 *.mcap *.mkv *.r3d *.sens)"));
+  const QString file = chooseFile(&window_, tr("Recording"),
+                                  tr("Recordings, scans, projects (*.oni *.bag *.db3 *.mcap *.mkv *.r3d "
+                                     "*.sens session.sqlite scantrove-project.json)"));
   if (!file.isEmpty()) window_.open(file);
 }
 

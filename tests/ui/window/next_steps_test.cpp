@@ -29,7 +29,9 @@ TEST(NextSteps, SayWhatIsLeft) {
 }
 
 RegionInfo foundRegion(std::uint32_t region, std::uint32_t object, const std::string& name) {
-  RegionInfo info{.region = RegionId{region}, .voxels = 100};
+  RegionInfo info;
+  info.region = RegionId{region};
+  info.voxels = 100;
   info.object = ObjectId{object};
   RegionLabel label;
   label.object = info.object;

@@ -119,6 +119,17 @@ TEST_F(ProjectChoiceTest, OpensAProject_WhenItsFolderIsDropped) {
   EXPECT_TRUE(window_->onStartPage());
 }
 
+TEST_F(ProjectChoiceTest, OpensAProjectOrAScan_ByTheFileInIt) {
+  const QString folder = folder_.filePath(QStringLiteral("mugs"));
+  ASSERT_TRUE(createProject(folder.toStdString(), {}));
+  window_->open(folder + QStringLiteral("/scantrove-project.json"));
+  EXPECT_EQ(shownName(), QStringLiteral("mugs"));
+  const QString scan = savedScanWith(file_);
+  window_->open(scan + QStringLiteral("/session.sqlite"));
+  EXPECT_EQ(window_->controller().sessionFolder(), scan);
+  EXPECT_TRUE(worker_->last_request.source.empty()) << "it is no recording";
+}
+
 TEST_F(ProjectChoiceTest, RunningScanKeepsItsCatalogue_WhenAnotherIsChosen) {
   window_->open(QStringLiteral("demo"));
   const QString kitchen = emptyCatalogue();

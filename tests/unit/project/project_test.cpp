@@ -53,12 +53,12 @@ TEST(Project, IsRefused_WhenDamagedOrNewer) {
   for (const char* const text :
        {"", "[]", "{", R"({"name": "a"})", R"({"scantrove_project": "1", "name": "a"})",
         R"({"scantrove_project": 1, "name": 7})", "{\"scantrove_project\": 1, \"name\": \"a\\nb\"}"}) {
-    folder.write("p/project.json", text);
+    folder.write("p/scantrove-project.json", text);
     const auto opened = openProject(folder / "p");
     ASSERT_FALSE(opened) << text;
-    EXPECT_THAT(opened.error().message(), HasSubstr("p/project.json")) << text;
+    EXPECT_THAT(opened.error().message(), HasSubstr("p/scantrove-project.json")) << text;
   }
-  folder.write("p/project.json", R"({"scantrove_project": 2, "name": "a"})");
+  folder.write("p/scantrove-project.json", R"({"scantrove_project": 2, "name": "a"})");
   EXPECT_THAT(openProject(folder / "p").error().message(), HasSubstr("newer version"));
 }
 
