@@ -19,6 +19,7 @@
 #include "core/database/database_connection.h"
 #include "core/labeling/region_partition.h"
 #include "core/session/inside_folder.h"
+#include "core/session/refinement_state.h"
 #include "core/session/review_rows.h"
 #include "core/session/session_schema.h"
 #include "core/session/session_setup.h"
@@ -163,6 +164,12 @@ Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
   SCANTROVE_TRY(
       readCount(database, "SELECT count(*) FROM facts WHERE name = 'ended' AND value <> ''", ended));
   summary.ended = ended > 0;
+  std::string refinement;
+  SCANTROVE_TRY(readText(
+      database, QString("SELECT value FROM facts WHERE name = '%1'").arg(QLatin1String(kRefinementKey)),
+      refinement));
+  summary.can_be_refined =
+      canBeRefined({{kRefinementKey, refinement}, {"ended", summary.ended ? "yes" : ""}});
   std::string read_to_end;
   SCANTROVE_TRY(readText(
       database, QString("SELECT value FROM facts WHERE name = '%1'").arg(QLatin1String(kReadToEndKey)),

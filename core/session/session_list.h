@@ -23,6 +23,7 @@ struct SessionSummary {
   int objects = 0;                 ///< objects of the catalogue among its regions
   std::vector<std::string> names;  ///< of regions, sorted, without duplicates
   bool ended = false;              ///< the scan reached its end
+  bool can_be_refined = false;     ///< its refinement was skipped, or it was interrupted before
   bool read_to_end = false;        ///< its source was read to the end; false in scans of older versions
   bool in_use = false;             ///< a program has it open; false if the system cannot tell
   double megabytes = 0;            ///< all files in its folder

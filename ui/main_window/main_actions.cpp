@@ -38,6 +38,8 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
                          tr("Refine later; the results so far are saved"));
   refine = make("refine", tr("&Refine objects"), tr("Ctrl+Shift+R"),
                 tr("Refine the objects of this scan with its key frames"));
+  continue_scan = make("camera", tr("&Continue scan…"), tr("Ctrl+Alt+R"),
+                       tr("Add frames of a recording or a camera to this saved scan"));
 
   undo = undo_stack.createUndoAction(this, tr("Undo"));
   undo->setIcon(icon(QStringLiteral("undo")));
@@ -70,6 +72,7 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
 }
 
 void MainActions::enableReview(bool open) {
+  if (!open) continue_scan->setEnabled(false);
   for (QAction* action : {export_data, frame_back, frame_on}) action->setEnabled(open);
 }
 

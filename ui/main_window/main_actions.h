@@ -36,6 +36,7 @@ class MainActions : public QObject {
   QAction* stop;
   QAction* skip_refinement;
   QAction* refine;
+  QAction* continue_scan;
 
   QAction* undo;
   QAction* redo;

@@ -13,6 +13,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/project_choice.h"
+#include "ui/main_window/project_page.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/review_controller.h"
@@ -65,7 +66,7 @@ void MainMenus::makeMenus() {
   QMenu* scan = window_.menuBar()->addMenu(tr("&Scan"));
   scan->addActions({actions.start, actions.pause, actions.step, actions.stop});
   scan->addSeparator();
-  scan->addActions({actions.refine, actions.skip_refinement});
+  scan->addActions({actions.continue_scan, actions.refine, actions.skip_refinement});
 
   const ObjectPanel::Actions& objects = parts_.objects->actions();
   QMenu* object_menu = window_.menuBar()->addMenu(tr("&Objects"));
@@ -163,6 +164,8 @@ void MainMenus::connectActions() {
   on(actions.stop, [this] { window_.controller().stop(); });
   on(actions.skip_refinement, [this] { window_.controller().bridge().post(SkipRefinement{}); });
   on(actions.refine, [this] { window_.controller().refine(); });
+  on(actions.continue_scan,
+     [this] { parts_.project_page->continueScan(window_.controller().sessionFolder()); });
   on(actions.focus_objects, [this] {
     window_.docks().docks().first()->show();
     parts_.objects->list()->setFocus(Qt::ShortcutFocusReason);

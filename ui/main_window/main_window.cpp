@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/project/opened_path.h"
 #include "ui/main_window/coverage_guide.h"
@@ -18,10 +19,10 @@
 #include "ui/main_window/next_step_guide.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/project_choice.h"
+#include "ui/main_window/project_page.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/review_controller.h"
-#include "ui/main_window/saved_scan_list.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scan_display.h"
 #include "ui/main_window/scene_pane.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   statusBar()->addWidget(parts_.status, 1);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
+  parts_.project_page = new ProjectPage(*this);
   new MainMenus(*this);
   new ScanDisplay(*this);
   new NextStepGuide(*this);
@@ -142,7 +144,7 @@ void MainWindow::showStartPage() {
   project_->showChosen();
   regions_->beginScan();  // clears questions, undo steps and selection of the scan
   parts_.start->setRecent(recentSources());
-  showSavedScans();
+  parts_.project_page->refresh();
   center_->setCurrentWidget(parts_.start);
   docks_->setScanShown(false);
   showTitle({});
@@ -177,11 +179,7 @@ void MainWindow::showProject() {
                            QString::fromStdString(project.catalogue.parent_path().string()));
   if (!onStartPage()) return;
   showTitle({});
-  showSavedScans();
-}
-
-void MainWindow::showSavedScans() {
-  parts_.start->savedScans()->setScans(savedScansIn(controller_->scansFolder()));
+  parts_.project_page->refresh();
 }
 
 void MainWindow::showScene() {
@@ -244,14 +242,6 @@ void MainWindow::connectRegions() {
       if (object.confirmed) names << QString::fromStdString(object.name);
     }
     return names;
-  });
-  connect(parts_.start->savedScans(), &SavedScansPanel::chosen, this, &MainWindow::openSession);
-  connect(parts_.start->savedScans(), &SavedScansPanel::deleteRequested, this, [this](const QString& folder) {
-    const auto fail = [this](const QString& message) {
-      parts_.messages->show(MessageBar::Kind::error, message);
-    };
-    history_.push(parts_.start, std::make_shared<DeleteScan>(
-                                    folder, [this] { showSavedScans(); }, fail));
   });
   connect(parts_.time_line, &TimeLine::requested, &bridge,
           [&bridge](int index) { bridge.post(ShowKeyFrame{index}); });

@@ -74,7 +74,6 @@ class MainWindow : public QMainWindow {
   void connectCatalogue();
   void connectRegions();
   void showProject();
-  void showSavedScans();
   [[nodiscard]] bool leavesScan();
   void readCatalogueChanges();
 

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 #include "core/session/session_list.h"
@@ -25,8 +26,17 @@ QString detailsOf(const SessionSummary& scan) {
   if (scan.in_use) words << SavedScansPanel::tr("in use");
   if (scan.isRecovered()) words << SavedScansPanel::tr("recovered");
   QStringList lines{words.join(QStringLiteral(" · "))};
-  words = {SavedScansPanel::tr("%1 frames").arg(scan.frames)};
-  if (scan.objects > 0) words << SavedScansPanel::tr("%1 objects").arg(scan.objects);
+  words.clear();
+  const auto named = static_cast<int>(scan.names.size());
+  if (const int found = std::max(scan.objects, named); found > 0) {
+    words << SavedScansPanel::tr("%1 of %2 objects named").arg(named).arg(found);
+  } else {
+    words << SavedScansPanel::tr("%1 frames").arg(scan.frames);
+  }
+  if (scan.reviews.all() > 0)
+    words << SavedScansPanel::tr("%1 of %2 images reviewed")
+                 .arg(scan.reviews.reviewed())
+                 .arg(scan.reviews.all());
   words << SavedScansPanel::tr("%1 MB").arg(std::max(1L, std::lround(scan.megabytes)));
   QStringList names;
   for (const std::string& name : scan.names) {
@@ -49,9 +59,11 @@ std::vector<SavedScanEntry> savedScansIn(const QString& folder) {
     // Omits scans that were interrupted before their first frame.
     if (scan.damage.empty() && scan.frames == 0) continue;
     const QString source = QString::fromStdString(scan.source);
+    const QString picture = QString::fromStdString(scan.picture.string());
     scans.push_back({QString::fromStdString(scan.folder.string()),
                      source.isEmpty() ? QString::fromStdString(scan.name) : sourceTitle(source),
-                     detailsOf(scan), QString::fromStdString(scan.picture.string())});
+                     detailsOf(scan), picture, readScanPicture(picture), scan.damage.empty() && !scan.in_use,
+                     scan.can_be_refined});
   }
   return scans;
 }

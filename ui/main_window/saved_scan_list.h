@@ -8,7 +8,8 @@
 
 namespace scantrove {
 
-/// List entries of the sessions in a folder, newest first.
+/// List entries of the sessions in a folder, newest first, with their thumbnails. Reads summary rows, not
+/// whole sessions. Any thread.
 [[nodiscard]] std::vector<SavedScanEntry> savedScansIn(const QString& folder);
 
 /// Undo step that moves a scan to the desktop's trash.

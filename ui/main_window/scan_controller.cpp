@@ -40,6 +40,7 @@ QString ScanController::sessionFolder() const {
 }
 
 void ScanController::begin() {
+  is_continued_ = false;
   request_.source = source_.toStdString();
   request_.output_folder.reset();
   const std::string title = sourceTitle(source_).toStdString();
@@ -59,6 +60,7 @@ void ScanController::begin() {
 }
 
 void ScanController::openSession(const QString& folder) {
+  is_continued_ = false;
   source_.clear();
   request_.source.clear();
   request_.output_folder = folder.toStdString();
@@ -72,6 +74,30 @@ void ScanController::refine() {
   request.refine_session = true;
   request.database.clear();  // uses that of the session
   emit opening(hasSource() ? source_ : sessionFolder());
+  bridge_.post(StartScan{std::move(request)});
+}
+
+void ScanController::refineSession(const QString& folder) {
+  is_continued_ = false;
+  source_.clear();
+  request_.source.clear();
+  request_.output_folder = folder.toStdString();
+  refine();
+}
+
+void ScanController::continueSession(const QString& folder, const QString& source,
+                                     const SourceOptions& options, ScanRequest::Poses poses) {
+  is_continued_ = true;
+  source_ = source;
+  request_.source = source.toStdString();
+  request_.source_options = options;
+  request_.poses = poses;
+  request_.output_folder = folder.toStdString();
+  ScanRequest request = request_;
+  request.resume = true;
+  request.database.clear();  // uses that of the session
+  paused_ = request.start_paused;
+  emit opening(source_);
   bridge_.post(StartScan{std::move(request)});
 }
 

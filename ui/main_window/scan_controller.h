@@ -28,8 +28,14 @@ class ScanController : public QObject {
   void reopenWithDepthScale(double units_per_meter);
   /// Opens the session of an earlier scan for review and edits.
   void openSession(const QString& folder);
-  /// Does the missing refinement of the open session.
+  /// Does the missing refinement of the open session, or of another one.
   void refine();
+  void refineSession(const QString& folder);
+  /// Adds frames of a source to a saved scan, with its parameters and its catalogue.
+  void continueSession(const QString& folder, const QString& source, const SourceOptions& options,
+                       ScanRequest::Poses poses);
+  /// Whether the current scan continues a saved one.
+  [[nodiscard]] bool isContinued() const { return is_continued_; }
   /// Folder of the current session; empty: the scan is not saved.
   [[nodiscard]] QString sessionFolder() const;
   /// Whether new scans are saved as sessions; the default is true.
@@ -65,6 +71,7 @@ class ScanController : public QObject {
   /// The last requested state. The worker may lag behind, but a second key press must still count.
   bool paused_ = false;
   bool saves_scans_ = true;
+  bool is_continued_ = false;
   ScanFolder new_folder_;  ///< declared before the bridge, so that the scan has ended when it is destroyed
   ScanBridge bridge_;
 };

@@ -45,14 +45,16 @@ ScanDisplay::ScanDisplay(MainWindow& window) : QObject(&window), window_(window)
     if (window_.onStartPage()) return;  // the scan was closed meanwhile
     parts_.actions->enableReview(true);
     parts_.actions->enableRefinement(opened.can_refine);
+    parts_.actions->continue_scan->setEnabled(!window_.controller().sessionFolder().isEmpty());
     has_snapshot_ = true;
   });
 }
 
 void ScanDisplay::begin(const QString& source) {
   parts_.params->finishTyping();
-  window_.controller().hasSource() ? window_.project().showChosen()
-                                   : window_.project().showCatalogueOf(source);
+  const bool is_saved_scan = !window_.controller().hasSource() || window_.controller().isContinued();
+  is_saved_scan ? window_.project().showCatalogueOf(window_.controller().sessionFolder())
+                : window_.project().showChosen();
   window_.showTitle(sourceTitle(source));
   parts_.progress->begin(sourceTitle(source));
   parts_.scene->view()->clearScene();

@@ -9,6 +9,7 @@ class NextStepStrip;
 class ObjectPanel;
 class ParamsPanel;
 class ProgressStrip;
+class ProjectPage;
 class ReviewController;
 class ScenePane;
 class StartPage;
@@ -19,6 +20,7 @@ class TimeLine;
 struct WindowParts {
   MainActions* actions = nullptr;
   StartPage* start = nullptr;
+  ProjectPage* project_page = nullptr;
   ScenePane* scene = nullptr;
   TimeLine* time_line = nullptr;
   ReviewController* review = nullptr;

@@ -48,6 +48,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Ctrl+R"), tr("Scan from the beginning"));
   line(tr("Ctrl+."), tr("Stop"));
   line(tr("Ctrl+Shift+S, Ctrl+Shift+R"), tr("Skip the refinement; refine later"));
+  line(tr("Ctrl+Alt+R"), tr("Continue the saved scan with more frames"));
   line(tr("Ctrl+W"), tr("Close scan"));
   heading(tr("Objects (with the list in focus)"));
   line(tr("Ctrl+L"), tr("Go to the object list"));

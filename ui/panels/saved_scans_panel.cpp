@@ -16,19 +16,24 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kMaxSavedScans = 8;
+constexpr std::size_t kMaxSavedScans = 60;
 constexpr int kSavedScanColumns = 2;
-const QSize kScanPicture(96, 72);
 
-QPixmap pictureOf(const QString& file) {
-  QImageReader reader(file);
-  reader.setScaledSize(reader.size().scaled(kScanPicture, Qt::KeepAspectRatioByExpanding));
-  const QImage image = file.isEmpty() ? QImage() : reader.read();
+QPixmap pictureOf(const SavedScanEntry& scan) {
+  const QImage image = scan.thumbnail.isNull() ? readScanPicture(scan.picture) : scan.thumbnail;
   if (image.isNull()) return icon(QStringLiteral("clock")).pixmap(32, 32);
-  return QPixmap::fromImage(image.copy(QRect(QPoint(), kScanPicture)));
+  return QPixmap::fromImage(image);
 }
 
 }  // namespace
+
+QImage readScanPicture(const QString& file) {
+  if (file.isEmpty()) return {};
+  QImageReader reader(file);
+  reader.setScaledSize(reader.size().scaled(kScanPicture, Qt::KeepAspectRatioByExpanding));
+  const QImage image = reader.read();
+  return image.isNull() ? image : image.copy(QRect(QPoint(), kScanPicture));
+}
 
 SavedScansPanel::SavedScansPanel(QWidget* parent)
     : QWidget(parent), cards_(new QGridLayout), more_(new QLabel) {
@@ -81,7 +86,7 @@ QWidget* SavedScansPanel::makeCard(const SavedScanEntry& scan) {
   auto* picture = new QLabel;
   picture->setFixedSize(kScanPicture);
   picture->setAlignment(Qt::AlignCenter);
-  picture->setPixmap(pictureOf(scan.picture));
+  picture->setPixmap(pictureOf(scan));
   row->addWidget(picture);
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2);
@@ -109,12 +114,47 @@ QWidget* SavedScansPanel::makeCard(const SavedScanEntry& scan) {
   // An action of the card itself would become its menu.
   auto* key = new QShortcut(QKeySequence(Qt::Key_Delete), card, nullptr, nullptr, Qt::WidgetShortcut);
   connect(key, &QShortcut::activated, this, remove);
-  auto* menu = new QMenu(card);
+  QMenu* menu = makeMenu(scan, card);
+  menu->addSeparator();
   menu->addAction(icon(QStringLiteral("delete")), tr("&Delete (can be undone)"), this, remove);
+  auto* more = new QToolButton;
+  more->setObjectName(QStringLiteral("scanActions"));
+  more->setText(QStringLiteral("⋯"));
+  more->setAutoRaise(true);
+  more->setToolTip(tr("Continue, refine, export or delete this scan"));
+  more->setAccessibleName(tr("Actions of %1").arg(scan.title));
+  more->setPopupMode(QToolButton::InstantPopup);
+  more->setMenu(menu);
+  more->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+  row->addWidget(more);
   card->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(card, &QWidget::customContextMenuRequested, menu,
           [card, menu](const QPoint& at) { menu->popup(card->mapToGlobal(at)); });
   return card;
+}
+
+QMenu* SavedScansPanel::makeMenu(const SavedScanEntry& scan, QWidget* card) {
+  auto* menu = new QMenu(card);
+  menu->setToolTipsVisible(true);
+  const auto add = [&](const char* picture, const QString& text, const QString& help, auto action) {
+    QAction* entry = menu->addAction(icon(QString::fromLatin1(picture)), text, this, action);
+    entry->setToolTip(help);
+    entry->setEnabled(scan.can_be_opened);
+    return entry;
+  };
+  const auto request = [this, folder = scan.folder](SavedScanAction action) {
+    return [this, folder, action] { emit actionRequested(folder, action); };
+  };
+  add("clock", tr("&Open"), tr("Label and review this scan"),
+      [this, folder = scan.folder] { emit chosen(folder); });
+  add("camera", tr("&Continue scan…"), tr("Add frames: the camera finds its place in the map again"),
+      request(SavedScanAction::resume));
+  add("refine", tr("&Refine objects"), tr("Do the refinement that this scan did not get"),
+      request(SavedScanAction::refine))
+      ->setEnabled(scan.can_be_opened && scan.can_be_refined);
+  add("image", tr("&Export data set…"), tr("Open this scan and export it"),
+      request(SavedScanAction::export_data));
+  return menu;
 }
 
 }  // namespace scantrove

@@ -87,6 +87,12 @@ SourceDialog::SourceDialog(const QString& source, QWidget* parent)
   validate();
 }
 
+void SourceDialog::askToContinue(const QString& scan) {
+  setWindowTitle(tr("Continue scan %1").arg(scan));
+  source_->setPlaceholderText(tr("a recording of the same place, or camera"));
+  buttons_->button(QDialogButtonBox::Open)->setText(tr("&Continue scan"));
+}
+
 QString SourceDialog::source() const { return source_->text().trimmed(); }
 
 SourceOptions SourceDialog::options() const {

@@ -18,6 +18,8 @@ class SourceDialog : public QDialog {
  public:
   explicit SourceDialog(const QString& source, QWidget* parent = nullptr);
 
+  /// Title and button for adding frames to a saved scan.
+  void askToContinue(const QString& scan);
   [[nodiscard]] QString source() const;
   [[nodiscard]] SourceOptions options() const;
   [[nodiscard]] ScanRequest::Poses poses() const;

@@ -27,7 +27,7 @@ TEST(SavedScansPanel, ClickOpensAScan_AndDeleteKeyDeletesIt) {
   list.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&list));
   const QSignalSpy chosen(&list, &SavedScansPanel::chosen), deleted(&list, &SavedScansPanel::deleteRequested);
-  const QList<QToolButton*> cards = list.findChildren<QToolButton*>();
+  const QList<QToolButton*> cards = list.findChildren<QToolButton*>(QStringLiteral("startCard"));
   ASSERT_EQ(cards.size(), 2);
   QTest::mouseClick(cards[0], Qt::LeftButton);
   ASSERT_EQ(chosen.count(), 1);
