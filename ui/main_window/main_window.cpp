@@ -236,6 +236,11 @@ void MainWindow::connectRegions() {
   auto* proposals = new ProposalBar(regions_->operations().proposals(), on_regions.accept,
                                     on_regions.accept_all, on_regions.not_this);
   centralWidget()->layout()->addWidget(proposals);
+  // Suggestions take the place of the next steps, so that the views do not move.
+  const int height = std::max(proposals->sizeHint().height(), parts_.next_steps->sizeHint().height());
+  for (QWidget* bar : {static_cast<QWidget*>(proposals), static_cast<QWidget*>(parts_.next_steps)})
+    bar->setFixedHeight(height);
+  connect(proposals, &ProposalBar::shownChanged, parts_.next_steps, &NextStepStrip::setCovered);
   regions_->setKnownNames([this] {
     QStringList names;
     for (const ObjectRecord& object : editor_.objects()) {

@@ -286,7 +286,8 @@ QString RegionOperations::descriptionOf(const FrameReview& review) {
 }
 
 void RegionOperations::proposeSimilar(const Operation& naming) {
-  if (naming.name.empty() || naming.regions.empty()) return;
+  // An answer to a command of an earlier scan may arrive late.
+  if (!knows_history_ || naming.name.empty() || naming.regions.empty()) return;
   auto points = scene_.view()->scene().cloud().pointsOfRegions(kVoxelsToPropose);
   std::erase_if(points, [&](const auto& entry) {
     const RegionInfo* const info = selection_.info(entry.first);

@@ -28,7 +28,7 @@ NextStepStrip::NextStepStrip(QWidget* parent) : QFrame(parent), steps_row_(new Q
   close->setAccessibleName(close->toolTip());
   connect(close, &QToolButton::clicked, this, [this] {
     is_closed_ = true;
-    hide();
+    updateVisibility();
   });
   row->addWidget(close);
   hide();
@@ -36,7 +36,17 @@ NextStepStrip::NextStepStrip(QWidget* parent) : QFrame(parent), steps_row_(new Q
 
 void NextStepStrip::beginScan() {
   is_closed_ = false;
-  hide();
+  is_active_ = false;
+  updateVisibility();
+}
+
+void NextStepStrip::setCovered(bool is_covered) {
+  is_covered_ = is_covered;
+  updateVisibility();
+}
+
+void NextStepStrip::updateVisibility() {
+  setVisible(is_active_ && !is_closed_ && !is_covered_ && !steps_.empty());
 }
 
 void NextStepStrip::showSteps(const std::vector<NextStep>& steps) {
@@ -50,7 +60,8 @@ void NextStepStrip::showSteps(const std::vector<NextStep>& steps) {
     }
     for (const NextStep& step : steps_) addStep(step);
   }
-  setVisible(!is_closed_ && !steps_.empty());
+  is_active_ = true;
+  updateVisibility();
 }
 
 void NextStepStrip::addStep(const NextStep& step) {
