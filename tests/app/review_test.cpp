@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -61,9 +62,12 @@ TEST_F(ReviewCommandTest, DataSetsHaveNoFrameThatWasLeftOut) {
 }
 
 TEST_F(ReviewCommandTest, ExportSaysWhy_WhenNoFrameIsChecked) {
-  expectJobFailure(scantrove({"export", scan_, "--format", "masks", "--background", "--checked-only", "--out",
-                              folder_ / "none"}),
-                   {"not checked", "session review --list"});
+  const Finished run = scantrove(
+      {"export", scan_, "--format", "masks", "--background", "--checked-only", "--out", folder_ / "none"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("not checked"));
+  EXPECT_THAT(run.err, HasSubstr("session review --list"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
 }
 
 TEST_F(ReviewCommandTest, RefusesAnUnknownFrame_AndAMissingState) {

@@ -10,11 +10,11 @@ namespace {
 using testing::ElementsAre;
 
 /// Five frames: 0, 20 and 40 are key frames. 0 is checked, 20 left out, 30 checked; the others are open.
-class ReviewedScene : public ScannedScene {
+class ReviewedScene : public SmallScene {
  public:
   ReviewedScene() { frames = 5; }
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override {
-    auto infos = ScannedScene::keyFrames(all_frames);
+    auto infos = SmallScene::keyFrames(all_frames);
     for (KeyFrameInfo& info : *infos) {
       if (info.index == 0 || info.index == 30) info.review = ReviewState::checked;
       if (info.index == 20) info.review = ReviewState::left_out;
@@ -39,14 +39,18 @@ TEST(FrameChoice, OmitsFramesThatWereLeftOut) {
 
 TEST(FrameChoice, OmitsThemAmongAllFrames) {
   ReviewedScene scene;
-  const auto choice = chooseFrames(scene, {.all_frames = true});
+  ExportOptions options;
+  options.all_frames = true;
+  const auto choice = chooseFrames(scene, options);
   ASSERT_TRUE(choice);
   EXPECT_THAT(indicesOf(*choice), ElementsAre(0, 10, 30, 40));
 }
 
 TEST(FrameChoice, HasAllCheckedFrames_WithCheckedOnly) {
   ReviewedScene scene;
-  const auto choice = chooseFrames(scene, {.checked_only = true});
+  ExportOptions options;
+  options.checked_only = true;
+  const auto choice = chooseFrames(scene, options);
   ASSERT_TRUE(choice);
   EXPECT_THAT(indicesOf(*choice), ElementsAre(0, 30));
   EXPECT_EQ(choice->unchecked, 2);
@@ -55,7 +59,10 @@ TEST(FrameChoice, HasAllCheckedFrames_WithCheckedOnly) {
 
 TEST(FrameChoice, PreviewsTheSameFrames) {
   ReviewedScene scene;
-  const auto preview = previewExport(scene, {.format = DatasetFormat::masks, .checked_only = true});
+  ExportOptions options;
+  options.format = DatasetFormat::masks;
+  options.checked_only = true;
+  const auto preview = previewExport(scene, options);
   ASSERT_TRUE(preview) << preview.error().message();
   EXPECT_EQ(preview->images, 2);
 }
