@@ -28,6 +28,7 @@ void addCommands(CLI::App& app, CommandJob& job) {
   addBenchCommand(app, job);
   addDevicesCommand(app, job);
   addParamsCommand(app, job);
+  addReferenceCommand(app, job);
   for (CLI::App* command : app.get_subcommands({})) {
     command->preparse_callback([&app](std::size_t) { refuseStrayOptions(app); });
   }

@@ -36,6 +36,12 @@ TEST(Libraries, RunPathsAreAbsolute_AndRelocationsReadOnly) {
   }
 }
 
+TEST(Libraries, ProgramIsPositionIndependent) {
+  const Finished run = runProgram({"readelf", "-hW", SCANTROVE_BINARY});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("Position-Independent Executable"));
+}
+
 TEST(Libraries, ProgramIsBuiltWithStackProtectorAndFortify) {
   const Finished symbols = runProgram({"readelf", "--dyn-syms", "-W", SCANTROVE_BINARY});
   ASSERT_EQ(symbols.exit_code, 0) << symbols.err;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/project/project.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
@@ -74,6 +75,20 @@ TEST(CommandLine, OpensTheWindow_WithoutACommand) {
   EXPECT_EQ(line.window.width, 1400);
   EXPECT_EQ(line.window.height, 900);
   EXPECT_EQ(line.window.source_options.frames, 7);
+}
+
+TEST(CommandLine, OpensTheProject_WhenSourceIsItsFile) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(createProject(folder / "kitchen", ""));
+  std::filesystem::path file;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "kitchen")) {
+    if (entry.path().extension() == ".json") file = entry.path();
+  }
+  const CommandLine line = parse({file.string()});
+  EXPECT_FALSE(line.exit_code) << line.err;
+  EXPECT_EQ(line.window.project, folder / "kitchen");
+  EXPECT_EQ(line.window.source, "");
+  expectRefused(parse({file.string(), "--project", folder.path().string()}), {"project", "Omit"});
 }
 
 TEST(CommandLine, RefusesUnknownAndMissingArguments) {
