@@ -29,6 +29,7 @@ void addParamsCommand(CLI::App& app, CommandJob& job);
 void addProjectCommand(CLI::App& app, CommandJob& job);
 void addObjectsCommand(CLI::App& app, CommandJob& job);
 void addBenchCommand(CLI::App& app, CommandJob& job);
+void addRenderCommand(CLI::App& app, CommandJob& job);
 void addReferenceCommand(CLI::App& app, CommandJob& job);
 
 }  // namespace scantrove

@@ -21,6 +21,7 @@ void addCommands(CLI::App& app, CommandJob& job) {
   addScanCommand(app, job);
   addSessionCommand(app, job);
   addExportCommand(app, job);
+  addRenderCommand(app, job);
   addRecordCommand(app, job);
   addEvaluateCommand(app, job);
   addProjectCommand(app, job);

@@ -85,6 +85,7 @@ class LayerRules {
         {"meshing", {"base", "compute", "fusion", "labeling"}},
         {"catalogue", {"base", "image", "compute", "database", "capture"}},
         {"dataset", {"base", "image", "compute", "capture", "exchange", "catalogue"}},
+        {"picture", {"base", "image", "exchange", "dataset"}},
         {"pipeline",
          {"base", "compute", "capture", "fusion", "tracking", "segmentation", "labeling", "discovery",
           "editing", "meshing"}},
