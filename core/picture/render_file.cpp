@@ -49,7 +49,8 @@ class UnfinishedPicture {
 
   [[nodiscard]] const fs::path& path() const { return part_; }
   [[nodiscard]] Result<void> check() const {
-    return descriptor_ >= 0 ? Result<void>() : cannotWritePicture(file_, error_);
+    if (descriptor_ < 0) return cannotWritePicture(file_, error_);
+    return {};
   }
   [[nodiscard]] Result<void> write(std::string_view bytes) const {
     while (!bytes.empty()) {
