@@ -4,6 +4,7 @@
 
 #include "core/dataset/dataset_export.h"
 #include "core/editing/operation.h"
+#include "core/picture/render_file.h"
 #include "core/scan/scan_request.h"
 #include "core/session/scan_params.h"
 
@@ -52,7 +53,11 @@ struct SampleExport {
 struct ExportDataset {
   ExportOptions options;
 };
-struct CancelExport {};
+/// Draws the open session into a new file. RenderStepped, then RenderFinished or RenderFailed.
+struct RenderPicture {
+  RenderOptions options;
+};
+struct CancelExport {};  ///< and RenderPicture
 /// The catalogue was edited. Frames detect that themselves; this is for a paused scan.
 struct ApplyCatalogueChanges {};
 /// Replaces the parameters before the next frame (fusion parameters need a new scan). The frame shown by a
@@ -61,8 +66,9 @@ struct SetParams {
   ScanParams params;
 };
 
-using ScanCommand = std::variant<StartScan, PauseScan, ResumeScan, StepScan, StopScan, CloseScan,
-                                 SkipRefinement, EditRegions, ShowKeyFrame, PreviewExport, SampleExport,
-                                 ExportDataset, CancelExport, ApplyCatalogueChanges, SetParams>;
+using ScanCommand =
+    std::variant<StartScan, PauseScan, ResumeScan, StepScan, StopScan, CloseScan, SkipRefinement, EditRegions,
+                 ShowKeyFrame, PreviewExport, SampleExport, ExportDataset, RenderPicture, CancelExport,
+                 ApplyCatalogueChanges, SetParams>;
 
 }  // namespace scantrove

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -95,6 +96,16 @@ struct ExportFinished {
 struct ExportFailed {
   Error error;
 };
+/// `total`: frames of the picture or the video.
+struct RenderStepped {
+  int done = 0, total = 0;
+};
+struct RenderFinished {
+  std::filesystem::path file;
+};
+struct RenderFailed {
+  Error error;
+};
 struct FrameSkipped {
   int frame_index;
   Error error;
@@ -109,7 +120,8 @@ using ScanEvent =
     std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognized, ViewAdded,
                  ObjectsMerged, ObjectRemoved, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted,
                  ScanAdvice, Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped,
-                 ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
+                 ExportFinished, ExportFailed, RenderStepped, RenderFinished, RenderFailed, FrameSkipped,
+                 ScanFailed, ScanFinished>;
 
 /// Called on the worker's thread, in order; must return quickly (a window queues the event).
 using ScanListener = std::function<void(const ScanEvent&)>;

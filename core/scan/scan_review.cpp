@@ -198,4 +198,17 @@ void ScanReview::execute(const ExportDataset& command, const std::stop_token& ca
       guarded("writing the data set", [&] { return exportDataset(scan, command.options, step, cancel); }));
 }
 
+void ScanReview::execute(const RenderPicture& command, const std::stop_token& cancel) {
+  SessionScan scan(*session_);
+  session_->readCatalogue();
+  const auto step = [&](int done, int total) { listener_(RenderStepped{done, total}); };
+  const Result<void> drawn =
+      guarded("drawing the scan", [&] { return renderScan(scan, command.options, step, cancel); });
+  if (drawn) {
+    listener_(RenderFinished{command.options.file});
+  } else {
+    listener_(RenderFailed{drawn.error()});
+  }
+}
+
 }  // namespace scantrove

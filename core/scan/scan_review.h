@@ -39,6 +39,7 @@ class ScanReview {
   void execute(const PreviewExport& command);
   void execute(const SampleExport& command);
   void execute(const ExportDataset& command, const std::stop_token& cancel);
+  void execute(const RenderPicture& command, const std::stop_token& cancel);
 
  private:
   ScanReview(std::unique_ptr<OpenSession> session, ScanListener listener, LatestValue<ScanSnapshot>& mailbox);

@@ -54,7 +54,9 @@ void ScanWorker::post(ScanCommand command) {
     std::visit(
         [this]<class Command>(const Command&) {
           if (kEndsScan<Command> || kIsOneOf<Command, CancelExport>) export_stop_.request_stop();
-          if (kIsOneOf<Command, ExportDataset>) export_stop_ = std::stop_source();
+          // One that was not stopped also stops the export that is running.
+          if (kIsOneOf<Command, ExportDataset, RenderPicture> && export_stop_.stop_requested())
+            export_stop_ = std::stop_source();
           // A user's edits of the running scan are executed before it ends.
           if (kEndsScan<Command>) std::erase_if(queue_, std::not_fn(is<EditRegions>));
           if (kIsOneOf<Command, StopScan>) std::erase_if(queue_, is<StartScan>);
@@ -143,6 +145,10 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                  [&](const SampleExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
                  [&](const ExportDataset& c) {
                    with_export([&](ScanReview& review) { review.execute(c, exportStop()); });
+                 },
+                 [&](const RenderPicture& c) {
+                   if (target.review != nullptr) return target.review->execute(c, exportStop());
+                   listener_(RenderFailed{{"A running scan cannot be drawn.", "Stop the scan first."}});
                  },
                  [](CancelExport) { /* post() has done it */ },
                  [&](ApplyCatalogueChanges) { changes_.catalogue = true; },

@@ -44,6 +44,7 @@ class ScriptedWorker {
   std::vector<ScanEdit> edits;
   std::vector<int> key_frames_shown;
   std::vector<ExportOptions> previews, exports;
+  std::vector<RenderOptions> renders;
   std::vector<std::pair<ExportOptions, std::optional<int>>> samples;
 
  private:
@@ -63,6 +64,7 @@ class ScriptedWorker {
                           [this](PreviewExport& c) { previews.push_back(std::move(c.options)); },
                           [this](SampleExport& c) { samples.emplace_back(std::move(c.options), c.index); },
                           [this](ExportDataset& c) { exports.push_back(std::move(c.options)); },
+                          [this](RenderPicture& c) { renders.push_back(std::move(c.options)); },
                           [this](CancelExport) { commands.emplace_back("cancel export"); },
                           [this](ApplyCatalogueChanges) { ++catalogue_changes; },
                           [this](const SetParams& c) { last_params = c.params; }},

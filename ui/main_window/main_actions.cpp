@@ -40,6 +40,10 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
                 tr("Refine the objects of this scan with its key frames"));
   continue_scan = make("camera", tr("&Continue scan…"), tr("Ctrl+Alt+R"),
                        tr("Add frames of a recording or a camera to this saved scan"));
+  save_picture =
+      make("image", tr("Save pi&cture…"), tr("Ctrl+Shift+P"), tr("Draw the whole scan into a new PNG file"));
+  save_video = make("", tr("Save turntable &video…"), {},
+                    tr("Draw a video that goes around the scan once into a new WebM file"));
 
   undo = undo_stack.createUndoAction(this, tr("Undo"));
   undo->setIcon(icon(QStringLiteral("undo")));
@@ -73,7 +77,8 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
 
 void MainActions::enableReview(bool open) {
   if (!open) continue_scan->setEnabled(false);
-  for (QAction* action : {export_data, frame_back, frame_on}) action->setEnabled(open);
+  for (QAction* action : {export_data, save_picture, save_video, frame_back, frame_on})
+    action->setEnabled(open);
 }
 
 void MainActions::enableRefinement(bool can_refine) { refine->setEnabled(can_refine); }

@@ -37,6 +37,8 @@ class MainActions : public QObject {
   QAction* skip_refinement;
   QAction* refine;
   QAction* continue_scan;
+  QAction* save_picture;
+  QAction* save_video;
 
   QAction* undo;
   QAction* redo;

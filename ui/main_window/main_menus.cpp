@@ -11,6 +11,7 @@
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/picture_saver.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/project_choice.h"
 #include "ui/main_window/project_page.h"
@@ -67,6 +68,8 @@ void MainMenus::makeMenus() {
   scan->addActions({actions.start, actions.pause, actions.step, actions.stop});
   scan->addSeparator();
   scan->addActions({actions.continue_scan, actions.refine, actions.skip_refinement});
+  scan->addSeparator();
+  scan->addActions({actions.save_picture, actions.save_video});
 
   const ObjectPanel::Actions& objects = parts_.objects->actions();
   QMenu* object_menu = window_.menuBar()->addMenu(tr("&Objects"));
@@ -163,6 +166,9 @@ void MainMenus::connectActions() {
   on(actions.step, [this] { window_.controller().step(); });
   on(actions.stop, [this] { window_.controller().stop(); });
   on(actions.skip_refinement, [this] { window_.controller().bridge().post(SkipRefinement{}); });
+  auto* pictures = new PictureSaver(window_);
+  connect(actions.save_picture, &QAction::triggered, pictures, &PictureSaver::savePicture);
+  connect(actions.save_video, &QAction::triggered, pictures, &PictureSaver::saveVideo);
   on(actions.refine, [this] { window_.controller().refine(); });
   on(actions.continue_scan,
      [this] { parts_.project_page->continueScan(window_.controller().sessionFolder()); });

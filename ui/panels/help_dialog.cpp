@@ -77,6 +77,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("K, Shift+K, Ctrl+Shift+K"), tr("Key frame: checked; left out of data sets; open again"));
   line(tr("Ctrl+Page down, Ctrl+Page up"), tr("Next, previous open key frame"));
   line(tr("Ctrl+E"), tr("Export data set"));
+  line(tr("Ctrl+Shift+P"), tr("Save picture of the scan"));
   heading(tr("3D view"));
   line(tr("Drag, arrow keys"), tr("Turn"));
   line(tr("Shift+drag, Shift+arrow keys"), tr("Move"));
