@@ -91,6 +91,19 @@ TEST(CommandLine, OpensTheProject_WhenSourceIsItsFile) {
   expectRefused(parse({file.string(), "--project", folder.path().string()}), {"project", "Omit"});
 }
 
+TEST(CommandLine, ChecksTheOptionsOfAPicture) {
+  expectCommand(parse({"render", "scan", "--out", "a.png", "--size", "800x600", "--from", "-45,20"}));
+  expectCommand(parse({"render", "scan", "--out", "a.webm", "--color", "objects", "--seconds", "0.5"}));
+  expectRefused(parse({"render", "scan"}), {"--out"});
+  expectRefused(parse({"render", "scan", "--out", "a.gif"}), {"a.gif", ".png", ".webm"});
+  expectRefused(parse({"render", "scan", "--out", "a.png", "--size", "800"}), {"--size", "1280x720"});
+  expectRefused(parse({"render", "scan", "--out", "a.png", "--size", "8x8"}), {"8x8", "16"});
+  expectRefused(parse({"render", "scan", "--out", "a.png", "--from", "10"}), {"--from"});
+  expectRefused(parse({"render", "scan", "--out", "a.png", "--from", "10,91"}), {"90"});
+  expectRefused(parse({"render", "scan", "--out", "a.png", "--color", "heat"}), {"--color"});
+  expectRefused(parse({"render", "scan", "--out", "a.webm", "--seconds", "100000"}), {"36000"});
+}
+
 TEST(CommandLine, RefusesUnknownAndMissingArguments) {
   expectRefused(parse({"fold-laundry"}), {"fold-laundry"});
   expectRefused(parse({"scan", "demo", "--out", "x", "--fast"}), {"--fast"});
