@@ -134,7 +134,9 @@ std::string zshOption(const ReferenceOption& option) {
   std::string lines;
   for (const std::string& name : option.names) {
     const std::string lead = option.is_repeatable ? "*" : "(" + joined(option.names, " ") + ")";
-    std::string spec = lead + name + "[" + zshText(option.description) + "]";
+    // The sign allows --option=value beside --option value.
+    const bool is_long = option.kind != ValueKind::none && name.starts_with("--");
+    std::string spec = lead + name + (is_long ? "=" : "") + "[" + zshText(option.description) + "]";
     if (option.kind != ValueKind::none) spec += ":" + zshText(option.value) + ":" + zshAction(option);
     lines += "    " + quoted(spec) + " \\\n";
   }
