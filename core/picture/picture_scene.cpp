@@ -1,6 +1,7 @@
 #include "core/picture/picture_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 #include <utility>

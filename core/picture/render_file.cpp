@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cmath>
+#include <string_view>
 #include <system_error>
 
 #include "core/exchange/part_name.h"

@@ -1,6 +1,7 @@
 #include "core/picture/video_writer.h"
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -21,23 +22,6 @@ constexpr int kEncoderThreads = 2;
 constexpr const char* kQuality = "28";  // constant quality of VP9, 0 (best) .. 63
 constexpr const char* kSpeed = "5";     // 0 (slow) .. 8
 
-template <auto function>
-struct FreeByAddress {
-  template <class T>
-  void operator()(T* pointer) const {
-    function(&pointer);
-  }
-};
-struct CloseOutput {
-  void operator()(AVFormatContext* context) const {
-    if (context->pb != nullptr) avio_closep(&context->pb);
-    avformat_free_context(context);
-  }
-};
-struct FreeConverter {
-  void operator()(SwsContext* context) const { sws_freeContext(context); }
-};
-
 std::string reasonOfEncoder(int code) {
   std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
   av_strerror(code, text.data(), text.size());
@@ -47,6 +31,23 @@ std::string reasonOfEncoder(int code) {
 }  // namespace
 
 class VideoWriter::Encoder {
+  template <auto function>
+  struct FreeByAddress {
+    template <class T>
+    void operator()(T* pointer) const {
+      function(&pointer);
+    }
+  };
+  struct CloseOutput {
+    void operator()(AVFormatContext* context) const {
+      if (context->pb != nullptr) avio_closep(&context->pb);
+      avformat_free_context(context);
+    }
+  };
+  struct FreeConverter {
+    void operator()(SwsContext* context) const { sws_freeContext(context); }
+  };
+
  public:
   explicit Encoder(const std::filesystem::path& file) : name_(file.string()) {}
 
@@ -87,8 +88,8 @@ class VideoWriter::Encoder {
     picture_->colorspace = codec_->colorspace;
     picture_->pts = next_++;
     if (const int code = av_frame_get_buffer(picture_.get(), 0); code < 0) return failure(code);
-    const std::array<const std::uint8_t*, 1> planes{image.data};
-    const std::array<int, 1> strides{static_cast<int>(image.step[0])};
+    const std::array<const std::uint8_t*, 4> planes{image.data};
+    const std::array<int, 4> strides{static_cast<int>(image.step[0])};
     sws_scale(converter_.get(), planes.data(), strides.data(), 0, image.rows, picture_->data,
               picture_->linesize);
     const int sent = avcodec_send_frame(codec_.get(), picture_.get());

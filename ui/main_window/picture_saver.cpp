@@ -1,7 +1,6 @@
 #include "ui/main_window/picture_saver.h"
 
 #include <QFileInfo>
-#include <QProgressDialog>
 #include <QSettings>
 #include <QStandardPaths>
 

@@ -1,11 +1,10 @@
 #pragma once
 #include <QObject>
 #include <QPointer>
+#include <QProgressDialog>
 #include <QString>
 
 #include "core/scan/scan_event.h"
-
-class QProgressDialog;
 
 namespace scantrove {
 

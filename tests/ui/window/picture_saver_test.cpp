@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QTest>
 
 #include "tests/ui/window/window_fixture.h"
@@ -37,7 +38,7 @@ TEST_F(PictureSaverTest, PostsTheFile_AndShowsProgressAndEnd) {
 
 TEST_F(PictureSaverTest, CancelStopsTheWorker_WithoutAMessage) {
   saver().saveTo(QStringLiteral("/tmp/scan.png"));
-  saver().progress()->cancel();
+  saver().progress()->findChild<QPushButton*>()->click();
   ASSERT_FALSE(worker_->commands.empty());
   EXPECT_EQ(worker_->commands.back(), "cancel export");
   worker_->report(RenderFailed{{"The picture was cancelled.", ""}});

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <utility>
 
 #include "tests/unit/picture/cube_scan.h"
 
@@ -26,7 +28,7 @@ bool isCovered(const cv::Mat& image, int x, int y) { return image.at<cv::Vec3b>(
 /// A square that faces the camera, of `half_m` around the optical axis, at world `z`.
 void addSquare(PictureSurface& surface, float half_m, float z, const Rgb& color) {
   const auto first = static_cast<std::uint32_t>(surface.vertices.size());
-  for (const auto& [x, y] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
+  for (const auto& [x, y] : std::array<std::pair<int, int>, 4>{{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}}) {
     surface.vertices.push_back(
         {{half_m * static_cast<float>(x), half_m * static_cast<float>(y), z}, {0, 0, -1}, color});
   }
