@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kOwnViews =
     "WITH RECURSIVE family (id) AS (SELECT id FROM objects WHERE id = ?"
     " UNION SELECT o.id FROM objects o JOIN family f ON o.merged_into = f.id)"
-    " SELECT v.id FROM family f CROSS JOIN views v ON v.first_object = f.id ORDER BY v.id";
+    " SELECT v.id FROM family f CROSS JOIN views v WHERE v.first_object = f.id ORDER BY v.id";
 
 }  // namespace
 

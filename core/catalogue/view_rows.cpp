@@ -29,19 +29,24 @@ Result<void> storeImages(DatabaseConnection& connection, qlonglong view, const V
     const ViewDescriptor& descriptor = *summary.descriptor;
     const Thumbnail& thumbnail = descriptor.thumbnail;
     SCANTROVE_TRY(
-        connection.execute("INSERT OR REPLACE INTO descriptors (view, mean_l, mean_a, mean_b, fine, colors)"
-                           " VALUES (?, ?, ?, ?, ?, ?)",
+        connection.execute("INSERT INTO descriptors (view, mean_l, mean_a, mean_b, fine, colors)"
+                           " VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (view) DO UPDATE SET"
+                           " mean_l = excluded.mean_l, mean_a = excluded.mean_a, mean_b = excluded.mean_b,"
+                           " fine = excluded.fine, colors = excluded.colors",
                            {view, thumbnail.mean_lab.x(), thumbnail.mean_lab.y(), thumbnail.mean_lab.z(),
                             toBlob(thumbnail.fine), colorsBlob(descriptor.colors)}));
     if (descriptor.network) {
       SCANTROVE_TRY(connection.execute(
-          "INSERT OR REPLACE INTO view_vectors (view, network, vector) VALUES (?, ?, ?)",
+          "INSERT INTO view_vectors (view, network, vector) VALUES (?, ?, ?)"
+          " ON CONFLICT (view) DO UPDATE SET network = excluded.network, vector = excluded.vector",
           {view, QString::fromStdString(descriptor.network->network), toBlob(descriptor.network->values)}));
     }
   }
   if (!summary.picture_jpeg.isEmpty()) {
-    SCANTROVE_TRY(connection.execute("INSERT OR REPLACE INTO pictures (view, jpeg) VALUES (?, ?)",
-                                     {view, summary.picture_jpeg}));
+    SCANTROVE_TRY(
+        connection.execute("INSERT INTO pictures (view, jpeg) VALUES (?, ?)"
+                           " ON CONFLICT (view) DO UPDATE SET jpeg = excluded.jpeg",
+                           {view, summary.picture_jpeg}));
   }
   return {};
 }
@@ -114,7 +119,7 @@ Result<void> storeColors(DatabaseConnection& connection, std::int64_t id) {
 Result<void> refreshObject(DatabaseConnection& connection, ObjectId object) {
   Result<QSqlQuery> query = connection.execute(
       "SELECT v.id, s.size_x_m, s.size_y_m, s.size_z_m FROM views v JOIN view_summaries s ON s.view = v.id"
-      " WHERE v.object = ? ORDER BY s.object_pixels DESC, v.id DESC",
+      " WHERE v.object = ? ORDER BY s.object_pixels DESC NULLS LAST, v.id DESC",
       {object.value});
   if (!query) return fail(query.error());
   MedianSize size;

@@ -1,151 +1,55 @@
 #include "core/database/database_connection.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <QByteArray>
 #include <QDateTime>
 #include <QSqlDatabase>
+#include <QSqlDriver>
 #include <QSqlError>
 #include <atomic>
-#include <chrono>
 #include <filesystem>
 
 #include "core/base/check.h"
+#include "core/database/server_address.h"
+#include "core/database/server_errors.h"
 
 namespace scantrove {
 namespace {
 
-namespace fs = std::filesystem;
+/// Between two attempts to reach a server, so that a window does not stand still while it is away.
+constexpr std::chrono::milliseconds kBetweenAttempts{1000};
 
-// SQLite's primary result codes (sqlite.org/rescode.html); QtSql returns the extended ones.
-enum SqliteCode {
-  kError = 1,
-  kBusy = 5,
-  kLocked = 6,
-  kReadOnly = 8,
-  kIo = 10,
-  kCorrupt = 11,
-  kFull = 13,
-  kCannotOpen = 14,
-  kNotADb = 26
-};
-
-constexpr std::uintmax_t kSmallestDatabase = 512;  // bytes: one page
-
-Error notADatabase(const std::string& file) {
-  return {"The file " + file + " is not a database.",
-          "Give another file, or restore this one from a backup."};
+/// For libpq: a server that vanished is noticed within half a minute. For the server: the longest wait for a
+/// lock, and the end of a transaction whose program hangs.
+QString optionsOfServer(const ServerAddress& address, bool is_read_only) {
+  QString options =
+      QStringLiteral(
+          "connect_timeout='3';application_name='scantrove';keepalives_idle='10';keepalives_interval='5';"
+          "keepalives_count='3';tcp_user_timeout='20000';options='-c lock_timeout=%1"
+          " -c idle_in_transaction_session_timeout=60000%2'")
+          .arg(QString::number(DatabaseConnection::kBusyTimeout_ms),
+               is_read_only ? QStringLiteral(" -c default_transaction_read_only=on") : QString());
+  return address.options.isEmpty() ? options : address.options + u';' + options;
 }
 
-Error describe(const std::string& file, const QSqlError& error) {
-  const std::string detail = error.databaseText().toStdString();
-  switch (error.nativeErrorCode().toInt() & 0xff) {
-    case kBusy:
-    case kLocked:
-      return {"The database " + file + " is locked by another program (waited 5 s).",
-              "Close the program that holds it, or use a copy of the file."};
-    case kReadOnly:
-      return {"The database " + file + " cannot be written (" + detail + ").",
-              "Give write permission to the file and to its folder, or use a copy."};
-    case kIo:
-      return {"Reading or writing the database " + file + " failed (" + detail + ").",
-              "Check the disk and its free space."};
-    case kCorrupt:
-      return damagedDatabase(file, detail);
-    case kFull:
-      return {"The disk is full: the database " + file + " could not be written.",
-              "Free some space and try again."};
-    case kCannotOpen:
-      return {"The database " + file + " cannot be opened (" + detail + ").",
-              "Check that its folder exists and that you may write there."};
-    case kNotADb:
-      return notADatabase(file);
-    case kError:
-      if (detail.starts_with("no such table") || detail.find("no such column") != std::string::npos ||
-          detail.find("has no column") != std::string::npos) {
-        return damagedDatabase(file, detail);
-      }
-      [[fallthrough]];
-    default:
-      return {"The database " + file + " refused an operation (" + detail + ").",
-              "Check the file with: sqlite3 FILE 'PRAGMA integrity_check'"};
-  }
-}
-
-Result<void> checkExisting(const std::string& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored))
-    return fail(file + " is not a regular file.", "Give the name of a database file.");
-  if (::access(file.c_str(), R_OK | W_OK) != 0) {
-    return fail("You may not read and write the database " + file + ".",
-                "Change its permissions, or use a copy.");
-  }
-  // SQLite treats a file of one byte as empty, and would overwrite it.
-  const std::uintmax_t size = fs::file_size(file, ignored);
-  if (size > 0 && size < kSmallestDatabase) return fail(notADatabase(file));
-  return {};
-}
-
-/// Checks the path only. Even reading the header is left to SQLite; the class comment of ObjectDatabase says
-/// why.
-Result<void> checkPath(const std::string& file) {
-  if (file.empty()) return fail("No database was named.", "Give the name of a file.");
-  if (file.starts_with("postgresql://") || file.starts_with("postgres://")) {
-    return fail("This version keeps catalogues in SQLite files only; " + file + " names a PostgreSQL server.",
-                "Give the name of a file, e.g. --database catalogue.sqlite.");
-  }
-  // SQLite would keep it in memory and lose it at the end.
-  if (file == ":memory:") {
-    return fail(
-        "':memory:' is no file: what it holds would be lost at the end.",
-        "Give the name of a file, e.g. --database catalogue.sqlite; for a file of this name ./:memory:.");
-  }
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) {
-    return fail(file + " is a folder, not a database.", "Give the name of a file in it.");
-  }
-  const fs::path parent = fs::absolute(file, ignored).parent_path();
-  if (!fs::is_directory(parent, ignored)) {
-    return fail("The folder " + parent.string() + " for the database does not exist.",
-                "Create it, or check the name.");
-  }
-  if (::access(parent.c_str(), W_OK | X_OK) != 0) {
-    return fail(
-        "You may not write in " + parent.string() + ", where the database " + file + " keeps its journal.",
-        "Change the folder's permissions, or use a copy elsewhere.");
-  }
-  return fs::exists(file, ignored) ? checkExisting(file) : Result<void>();
-}
-
-/// Checks a file that is only read.
-Result<void> checkReadable(const std::string& file) {
-  if (file.empty()) return fail("No database was named.", "Give the name of a file.");
-  std::error_code failure;
-  const fs::file_type type = fs::status(file, failure).type();
-  if (type == fs::file_type::not_found) return fail("There is no database " + file + ".", "Check the name.");
-  if (failure) return fail("Cannot read " + file + " (" + failure.message() + ").", "Check the name.");
-  if (type == fs::file_type::directory)
-    return fail(file + " is a folder, not a database.", "Give the name of a file in it.");
-  if (type != fs::file_type::regular)
-    return fail(file + " is not a regular file.", "Give the name of a database file.");
-  if (::access(file.c_str(), R_OK) != 0)
-    return fail("You may not read the database " + file + ".", "Change its permissions, or use a copy.");
-  const std::uintmax_t size = fs::file_size(file, failure);
-  if (size > 0 && size < kSmallestDatabase) return fail(notADatabase(file));
-  return {};
+bool mayBeRepeated(const QString& sql) {
+  return sql.startsWith(QStringLiteral("SELECT")) || sql.startsWith(QStringLiteral("BEGIN"));
 }
 
 }  // namespace
 
 Error damagedDatabase(const std::string& file, const std::string& detail) {
+  if (isServerAddress(file)) {
+    return {"The database " + file + " is damaged or changed by another program (" + detail + ").",
+            "Restore it from a backup."};
+  }
   return {"The database " + file + " is damaged (" + detail + ").",
           "Restore it from a backup, or try to rescue it with: sqlite3 FILE .recover"};
 }
 
-Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::string& file) {
-  SCANTROVE_TRY(checkPath(file));
-  auto connection = connect(file, QString::fromStdString(file), {});
+Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::string& database) {
+  if (isServerAddress(database)) return connectToServer(database, Use::write);
+  SCANTROVE_TRY(sqlite::checkPath(database));
+  auto connection = connect(database, QString::fromStdString(database), {});
   if (!connection) return connection;
   for (const char* pragma : {"PRAGMA synchronous = NORMAL", "PRAGMA foreign_keys = ON"}) {
     SCANTROVE_TRY((*connection)->execute(pragma));
@@ -153,50 +57,70 @@ Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::
   return connection;
 }
 
-Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::openToRead(const std::string& file) {
-  SCANTROVE_TRY(checkReadable(file));
-  const std::optional<Stamp> stamp = stampOf(file);
+Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::openToRead(const std::string& database) {
+  if (isServerAddress(database)) return connectToServer(database, Use::read);
+  SCANTROVE_TRY(sqlite::checkReadable(database));
+  const std::optional<sqlite::Stamp> stamp = sqlite::stampOf(database);
   // Escapes bytes that have a meaning in a URI.
-  const QByteArray path = QByteArray::fromStdString(fs::absolute(file).string()).toPercentEncoding("/");
+  const QByteArray path =
+      QByteArray::fromStdString(std::filesystem::absolute(database).string()).toPercentEncoding("/");
   const QString uri = "file:" + QString::fromLatin1(path) + "?mode=ro" + (stamp ? "&immutable=1" : "");
-  auto connection = connect(file, uri, ";QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI");
+  auto connection = connect(database, uri, ";QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI");
   if (connection) (*connection)->stamp_ = stamp;
   return connection;
 }
 
-std::optional<DatabaseConnection::Stamp> DatabaseConnection::stampOf(const std::string& file) {
-  struct stat status {};
-  // Nobody uses a WAL-mode file without its log.
-  for (const char* log : {"-wal", "-journal"}) {
-    if (::stat((file + log).c_str(), &status) == 0 && status.st_size > 0) return std::nullopt;
-  }
-  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
-  return Stamp{status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ino};
-}
+bool DatabaseConnection::isStill() const { return !stamp_ || sqlite::stampOf(file_) == stamp_; }
 
-bool DatabaseConnection::isStill() const { return !stamp_ || stampOf(file_) == stamp_; }
+std::unique_ptr<DatabaseConnection> DatabaseConnection::named(const std::string& database,
+                                                              SqlDialect dialect) {
+  static std::atomic<unsigned> serial = 0;
+  std::unique_ptr<DatabaseConnection> connection(new DatabaseConnection);
+  connection->file_ = database;
+  connection->name_ = QString("scantrove-%1").arg(++serial);
+  connection->dialect_ = dialect;
+  connection->thread_ = std::this_thread::get_id();
+  return connection;
+}
 
 Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::connect(const std::string& file,
                                                                         const QString& name_of_file,
                                                                         const QString& options) {
-  static std::atomic<unsigned> serial = 0;
-  std::unique_ptr<DatabaseConnection> connection(new DatabaseConnection);
-  connection->file_ = file;
-  connection->name_ = QString("scantrove-%1").arg(++serial);
-  connection->thread_ = std::this_thread::get_id();
+  auto connection = named(file, SqlDialect::sqlite);
   QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", connection->name_);
   if (!database.isValid()) {
     return fail("QtSql's SQLite driver is missing.", "Install the package libqt6sql6-sqlite.");
   }
   database.setDatabaseName(name_of_file);
   database.setConnectOptions(QString("QSQLITE_BUSY_TIMEOUT=%1").arg(kBusyTimeout_ms) + options);
-  if (!database.open()) return fail(describe(file, database.lastError()));
+  if (!database.open()) return fail(sqlite::describe(file, database.lastError()));
+  return connection;
+}
+
+Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::connectToServer(const std::string& url,
+                                                                                Use use) {
+  const Result<ServerAddress> address = serverAddressFrom(url);
+  if (!address) return fail(address.error());
+  if (!QSqlDatabase::isDriverAvailable("QPSQL")) {
+    return fail("QtSql's PostgreSQL driver is missing, so " + url + " cannot be opened.",
+                "Install the package libqt6sql6-psql.");
+  }
+  auto connection = named(url, SqlDialect::postgresql);
+  QSqlDatabase database = QSqlDatabase::addDatabase("QPSQL", connection->name_);
+  database.setHostName(address->host);
+  database.setPort(address->port);
+  database.setUserName(address->user);
+  database.setDatabaseName(address->database);
+  database.setConnectOptions(optionsOfServer(*address, use == Use::read));
+  connection->server_.is_lost = true;  // until it is made
+  SCANTROVE_TRY(connection->reconnect());
   return connection;
 }
 
 DatabaseConnection::~DatabaseConnection() { QSqlDatabase::removeDatabase(name_); }
 
 Result<void> DatabaseConnection::useWriteAheadLog() {
+  if (isOnServer()) return {};
   // SQLite's busy timeout does not apply to the change to WAL, so wait here.
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusyTimeout_ms);
   for (;;) {
@@ -215,19 +139,62 @@ Result<QSqlQuery> DatabaseConnection::execute(const QString& sql, const QVariant
     return fail("The database " + file_ + " has taken back what was being written into it.",
                 "An earlier message names the reason; nothing was changed.");
   }
+  if (!isOnServer()) return executeInFile(sql, values);
+  Result<QSqlQuery> done = executeOnServer(sql, values);
+  // A connection that was idle while the server restarted fails once.
+  const bool may_repeat = transactions_ == 0 && server_.is_lost && !server_.refusal && mayBeRepeated(sql);
+  return done || !may_repeat ? std::move(done) : executeOnServer(sql, values);
+}
+
+Result<QSqlQuery> DatabaseConnection::executeInFile(const QString& sql, const QVariantList& values) {
   QSqlQuery query(QSqlDatabase::database(name_, false));
   query.setForwardOnly(true);
-  if (!query.prepare(sql)) return fail(describe(file_, query.lastError()));
+  if (!query.prepare(sql)) return fail(sqlite::describe(file_, query.lastError()));
   for (const QVariant& value : values) query.addBindValue(value);
-  if (!query.exec()) return fail(describe(file_, query.lastError()));
+  if (!query.exec()) return fail(sqlite::describe(file_, query.lastError()));
   return query;
 }
 
-Result<std::int64_t> DatabaseConnection::insert(const QString& sql, const QVariantList& values) {
-  const Result<QSqlQuery> query = execute(sql, values);
-  if (!query) return fail(query.error());
-  return query->lastInsertId().toLongLong();
+Result<QSqlQuery> DatabaseConnection::executeOnServer(const QString& sql, const QVariantList& values) {
+  SCANTROVE_TRY(reconnect());
+  const QSqlDatabase database = QSqlDatabase::database(name_, false);
+  // Not forward-only: a query that is read row by row from the server would block all others.
+  QSqlQuery query(database);
+  if (query.exec(withLiterals(sql, values, *database.driver()))) return query;
+  const server::Failure failure = server::failureOf(query.lastError());
+  server_.is_lost = server_.is_lost || failure == server::Failure::lost;
+  server_.has_conflict = server_.has_conflict || failure == server::Failure::conflict;
+  server_.is_aborted = transactions_ > 0;
+  return fail(server::describe(file_, query.lastError()));
 }
+
+Result<void> DatabaseConnection::reconnect() {
+  if (!server_.is_lost) return {};
+  if (transactions_ > 0) {
+    return fail("The connection to " + file_ + " was lost; what was being stored is not in it.",
+                "It is made again as soon as the server answers.");
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (server_.refusal && now < server_.next_attempt) return fail(*server_.refusal);
+  QSqlDatabase database = QSqlDatabase::database(name_, false);
+  database.close();
+  if (!database.open()) {
+    server_.refusal = server::describeConnecting(file_, database.lastError());
+    server_.next_attempt = std::chrono::steady_clock::now() + kBetweenAttempts;
+    return fail(*server_.refusal);
+  }
+  server_ = {};
+  return {};
+}
+
+Result<std::int64_t> DatabaseConnection::insert(const QString& sql, const QVariantList& values) {
+  Result<QSqlQuery> query = execute(isOnServer() ? sql + " RETURNING id" : sql, values);
+  if (!query) return fail(query.error());
+  if (!isOnServer()) return query->lastInsertId().toLongLong();
+  return query->next() ? query->value(0).toLongLong() : 0;
+}
+
+QSqlDriver* DatabaseConnection::driver() const { return QSqlDatabase::database(name_, false).driver(); }
 
 QString DatabaseConnection::now() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs); }
 

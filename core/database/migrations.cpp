@@ -33,9 +33,30 @@ std::vector<QString> statementsOf(std::string_view sql) {
   return statements;
 }
 
+/// The version of a schema on a server, 0 for a database (or a schema of the search path) without tables.
+Result<int> versionOnServer(DatabaseConnection& connection, const FileKind& kind) {
+  Result<QSqlQuery> tables = connection.execute(
+      "SELECT count(*), count(*) FILTER (WHERE c.relname = 'scantrove_schema')"
+      " FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace"
+      " WHERE n.nspname = current_schema() AND c.relkind IN ('r', 'p', 'v', 'm', 'f')");
+  if (!tables) return fail(tables.error());
+  if (!tables->next() || tables->value(0).toInt() == 0) return 0;
+  const Error foreign{
+      "The database " + connection.file() + " holds tables of another program.",
+      "Give a database of its own to the " + std::string(kind.called) + ": createdb NAME makes one."};
+  if (tables->value(1).toInt() == 0) return fail(foreign);
+  Result<QSqlQuery> own = connection.execute("SELECT application_id, version FROM scantrove_schema");
+  if (!own) return fail(own.error());
+  if (!own->next() || own->value(0).toInt() != kind.application_id) return fail(foreign);
+  const int version = own->value(1).toInt();
+  if (version >= 1) return version;
+  return fail(damagedDatabase(connection.file(), "its schema is version " + std::to_string(version)));
+}
+
 /// The schema's version, 0 for an empty file; changes nothing. One statement reads all numbers, so that they
 /// are consistent while another process creates the catalogue.
 Result<int> ownVersion(DatabaseConnection& connection, const FileKind& kind) {
+  if (connection.isOnServer()) return versionOnServer(connection, kind);
   Result<QSqlQuery> query = connection.execute(
       "SELECT (SELECT user_version FROM pragma_user_version),"
       " (SELECT application_id FROM pragma_application_id), (SELECT count(*) FROM sqlite_master)");
@@ -59,19 +80,33 @@ Result<int> ownVersion(DatabaseConnection& connection, const FileKind& kind) {
 
 Result<void> apply(DatabaseConnection& connection, const Migration& step) {
   for (const QString& statement : statementsOf(step.sql)) {
-    SCANTROVE_TRY(connection.execute(statement));
+    const QString text = inDialect(statement, connection.dialect());
+    if (!text.isEmpty()) SCANTROVE_TRY(connection.execute(text));
   }
   SCANTROVE_TRY(connection.execute(
       "INSERT INTO schema_migrations (version, name, applied) VALUES (?, ?, ?)",
       {step.version, QString::fromUtf8(step.name.data(), static_cast<qsizetype>(step.name.size())),
        DatabaseConnection::now()}));
-  SCANTROVE_TRY(connection.execute(QString("PRAGMA user_version = %1").arg(step.version)));
+  const QString version = connection.isOnServer() ? QString("UPDATE scantrove_schema SET version = %1")
+                                                  : QString("PRAGMA user_version = %1");
+  SCANTROVE_TRY(connection.execute(version.arg(step.version)));
+  return {};
+}
+
+/// What stands in the header of a file is a table on a server.
+Result<void> createVersionTable(DatabaseConnection& connection, const FileKind& kind) {
+  SCANTROVE_TRY(connection.execute(
+      "CREATE TABLE scantrove_schema (application_id BIGINT NOT NULL, version BIGINT NOT NULL)"));
+  SCANTROVE_TRY(connection.execute("INSERT INTO scantrove_schema (application_id, version) VALUES (?, 0)",
+                                   {kind.application_id}));
   return {};
 }
 
 /// Refuses schema objects that no step creates: a view in place of a table may never end, and a trigger
 /// changes unrelated data.
+/// On a server only the database's owner can add them, and may have reasons to.
 Result<void> checkTables(DatabaseConnection& connection, std::span<const Migration> steps) {
+  if (connection.isOnServer()) return {};
   Result<QSqlQuery> strangers = connection.execute(
       "SELECT type, name FROM sqlite_master WHERE type IN ('view', 'trigger')"
       " OR sql LIKE 'CREATE VIRTUAL%' ORDER BY type = 'trigger' DESC, name");
@@ -132,6 +167,7 @@ Result<void> migrate(DatabaseConnection& connection, const FileKind& kind, std::
   return inTransaction(connection, [&]() -> Result<void> {
     const Result<int> current = ownVersion(connection, kind);  // another process may have migrated meanwhile
     if (!current) return fail(current.error());
+    if (*current == 0 && connection.isOnServer()) SCANTROVE_TRY(createVersionTable(connection, kind));
     for (const Migration& step : steps) {
       if (step.version > *current) SCANTROVE_TRY(apply(connection, step));
     }

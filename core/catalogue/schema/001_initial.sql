@@ -1,4 +1,5 @@
--- The catalogue. Plain SQL, so that another database needs new column types at most. Times are ISO 8601, UTC.
+-- The catalogue. Plain SQL for SQLite and PostgreSQL: core/database/sql_dialect.h replaces the column types that differ.
+-- Times are ISO 8601, UTC.
 -- Application id 1399025268 = "Scnt" marks the file as a Scantrove catalogue.
 PRAGMA application_id = 1399025268;
 

@@ -41,4 +41,5 @@ UPDATE objects SET best_view = (SELECT max(v.id) FROM views v WHERE v.object = o
 -- 1: a person gave the name; 0: it is the generated Obj_N (or "Obj_N (2)", restored when Obj_N was taken).
 ALTER TABLE objects ADD COLUMN named_by_person INTEGER NOT NULL DEFAULT 0;
 UPDATE objects SET named_by_person = 1
-  WHERE name <> 'Obj_' || number AND name NOT GLOB 'Obj_' || number || ' (*)';
+  WHERE name <> 'Obj_' || number
+    AND NOT (substr(name, 1, length('Obj_' || number || ' (')) = 'Obj_' || number || ' (' AND substr(name, length(name)) = ')');
