@@ -2,6 +2,8 @@
 
 #include <sys/stat.h>
 
+#include <QString>
+#include <QUuid>
 #include <array>
 #include <new>
 #include <utility>
@@ -43,12 +45,14 @@ Result<CatalogueJobs::Outcome> CatalogueJobs::attempt(CatalogueJob& job) {
     SCANTROVE_TRY(checkFile());
     Outcome outcome;
     SCANTROVE_TRY(moveInto(outcome.events, std::visit([this](auto& one) { return execute(one); }, job)));
+    token_.clear();
     return outcome;
   } catch (const std::bad_alloc&) {
     return fail(describeCurrentException(kActivity));
   } catch (const std::exception&) {
     // An encoding error of a library would occur again at each repetition.
     const Error error = describeCurrentException(kActivity);
+    token_.clear();
     return Outcome{refuse(job, error), error};
   }
 }
@@ -77,10 +81,36 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::BeginSession& /*
   return Events{};
 }
 
+Result<std::int64_t> CatalogueJobs::storeOnce(const std::function<Result<std::int64_t>()>& store) {
+  if (!database_->isOnServer()) return store();
+  if (token_.empty()) token_ = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+  const Result<std::string> id = database_->applyOnce(token_, [&]() -> Result<std::string> {
+    const Result<std::int64_t> stored = store();
+    if (!stored) return fail(stored.error());
+    return std::to_string(*stored);
+  });
+  if (!id) return fail(id.error());
+  return QString::fromStdString(*id).toLongLong();
+}
+
 Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddObject& job) {
   job.view.session = session_;
-  Result<ObjectRecord> added = database_->addObject(job.view);
-  if (!added) return fail(added.error());
+  std::optional<ObjectRecord> added;
+  const Result<std::int64_t> id = storeOnce([&]() -> Result<std::int64_t> {
+    SCANTROVE_TRY(moveInto(added, database_->addObject(job.view)));
+    return added->id.value;
+  });
+  if (!id) return fail(id.error());
+  const ObjectId stored{static_cast<std::uint32_t>(*id)};
+  if (!added || added->id != stored) {
+    // An earlier attempt stored it. Others may have removed it since, which the feed reports.
+    const Result<ObjectId> root = database_->mergeRoot(stored);
+    if (!root) return fail(root.error());
+    added.emplace();
+    added->id = stored;
+    added->size_m = job.view.size_m;
+    if (*root == stored) SCANTROVE_TRY(moveInto(added, database_->object(stored)));
+  }
   ids_[job.view.object] = added->id;
   touched_.insert(added->id);
   feed_->expectObject(added->id);
@@ -103,9 +133,12 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddView& job) {
   ObjectView view = job.view;  // shares the images
   view.object = object;
   view.session = session_;
-  const Result<std::int64_t> stored = database_->addView(view, check);
+  const Result<std::int64_t> stored = storeOnce([&] { return database_->addView(view, check); });
   if (is_deleted) return Events{event::ViewDropped{key}};
   if (!stored) return fail(stored.error());
+  // An earlier attempt stored it.
+  if (!root) SCANTROVE_TRY(moveInto(root, database_->mergeRoot(object)));
+  if (!root) return Events{event::ViewDropped{key}};
   touched_.insert(root);
   feed_->expectView(*stored);
   return Events{event::ViewStored{key, root}};

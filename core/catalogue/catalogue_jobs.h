@@ -104,6 +104,9 @@ class CatalogueJobs {
   /// Appends the objects' current records to `event`. Unreadable ones keep their last known state.
   [[nodiscard]] Events withRecords(CatalogueEvent event, std::span<const ObjectId> objects);
   [[nodiscard]] ObjectId idOf(ObjectId object) const;
+  /// Runs `store`, which returns the id of a new row. If a server was lost while it committed, the next
+  /// attempt of the same job returns the id of that row instead of storing a second one.
+  [[nodiscard]] Result<std::int64_t> storeOnce(const std::function<Result<std::int64_t>()>& store);
   /// The current merge roots of the two objects: fewer than two if they are merged or deleted.
   [[nodiscard]] Result<std::vector<ObjectId>> mergeRootsOf(const job::Merge& job);
   [[nodiscard]] Result<bool> mayMerge(const std::vector<ObjectId>& pair);
@@ -115,6 +118,7 @@ class CatalogueJobs {
   const std::function<void(Events)> notify_;
   std::unique_ptr<ObjectDatabase> database_;
   std::optional<CatalogueFeed> feed_;
+  std::string token_;  // of the job in progress; empty: none is needed yet
   std::int64_t session_ = 0;
   std::int64_t last_event_ = 0;
   std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused

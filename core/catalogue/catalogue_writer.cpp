@@ -7,12 +7,15 @@
 #include "core/base/thread_priority.h"
 #include "core/base/urgent_end.h"
 #include "core/compute/guarded.h"
+#include "core/database/server_notifications.h"
 
 namespace scantrove {
 namespace {
 
 /// Patience of finish() when the program must end soon, and the interval of checking for that.
 constexpr std::chrono::milliseconds kUrgentPatience{500}, kPollInterval{100};
+/// Of a server that announces changes: an announcement may be lost with a connection.
+constexpr std::chrono::milliseconds kBetweenPolls{1000};
 
 constexpr const char* kWaits = "What the scan finds waits until then.";
 
@@ -53,12 +56,15 @@ Result<std::unique_ptr<CatalogueWriter>> CatalogueWriter::start(const Options& o
     self->run(from, std::move(opened));
   });
   SCANTROVE_TRY(is_open.get());
+  writer->notifications_ =
+      ServerNotifications::start(options.database, [self = writer.get()] { self->readChangesSoon(); });
   return writer;
 }
 
 CatalogueWriter::~CatalogueWriter() { close(); }
 
 void CatalogueWriter::close() {
+  notifications_.reset();
   {
     const std::scoped_lock lock(mutex_);
     is_closed_ = true;
@@ -125,8 +131,17 @@ void CatalogueWriter::discardViews(ObjectId object, std::vector<int> frames) {
 }
 
 void CatalogueWriter::requestChanges() {
+  if (notifications_ && notifications_->isListening()) {
+    const std::scoped_lock lock(mutex_);
+    if (std::chrono::steady_clock::now() - changes_read_ < kBetweenPolls) return;
+  }
+  readChangesSoon();
+}
+
+void CatalogueWriter::readChangesSoon() {
   const std::scoped_lock lock(mutex_);
   are_changes_requested_ = true;
+  changes_read_ = std::chrono::steady_clock::now();
   changed_.notify_all();
 }
 

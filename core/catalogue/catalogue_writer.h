@@ -21,6 +21,8 @@
 
 namespace scantrove {
 
+class ServerNotifications;
+
 /// Stores a scan's results on its own thread and connection, so that SQL and image encoding do not delay
 /// frames. Jobs are executed in order, so equal scans give equal catalogues. A job that fails because the
 /// catalogue cannot be written now (locked, full disk) is repeated, and later jobs wait. Results come back
@@ -73,7 +75,8 @@ class CatalogueWriter {
   /// or better ones replace them (ObjectDatabase::discardViews()). Does nothing if a user has settled the
   /// object by then.
   void discardViews(ObjectId object, std::vector<int> frames);
-  /// Requests the changes by others.
+  /// Requests the changes by others. While a server announces them, reads them only then, and else once a
+  /// second.
   void requestChanges();
 
   /// Events since the last call, in order.
@@ -104,6 +107,7 @@ class CatalogueWriter {
 
   // On the scan's thread.
   void enqueue(CatalogueJob job);
+  void readChangesSoon();  // also on the thread of the notifications
   void close();
   [[nodiscard]] Error lossesInWords(const Losses& losses, const Error& reason) const;
 
@@ -127,6 +131,7 @@ class CatalogueWriter {
   std::deque<CatalogueJob> jobs_;  // the first one is in progress
   std::size_t waiting_bytes_ = 0;
   bool are_changes_requested_ = false;
+  std::chrono::steady_clock::time_point changes_read_;  // when they were last requested
   bool is_reading_changes_ = false;
   bool is_closed_ = false;
   std::uint64_t done_ = 0;  // number of jobs
@@ -138,7 +143,8 @@ class CatalogueWriter {
   bool is_full_ = false;             // and waiting for room was in vain
   std::set<ObjectId> without_room_;  // objects with a view worth storing
 
-  std::thread thread_;  // last: uses all members above
+  std::thread thread_;                                  // uses all members above
+  std::unique_ptr<ServerNotifications> notifications_;  // likewise; null: the catalogue is a file
 };
 
 }  // namespace scantrove

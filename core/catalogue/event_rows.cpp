@@ -137,6 +137,7 @@ std::optional<CatalogueChange> changeFrom(const QString& action, ObjectId object
 
 Result<void> recordEvent(DatabaseConnection& connection, const char* action, ObjectId object,
                          const QJsonObject& before, const QJsonObject& after, std::int64_t session) {
+  connection.announceChange();
   SCANTROVE_TRY(
       connection.execute("INSERT INTO events (created, action, object, session, before_json, after_json)"
                          " VALUES (?, ?, ?, ?, ?, ?)",

@@ -115,6 +115,8 @@ ObjectDatabase::ObjectDatabase(std::unique_ptr<DatabaseConnection> connection, i
 
 ObjectDatabase::~ObjectDatabase() = default;
 
+bool ObjectDatabase::isOnServer() const { return connection_->isOnServer(); }
+
 bool ObjectDatabase::isStill() const { return connection_->isStill(); }
 
 Result<std::string> ObjectDatabase::identity() {

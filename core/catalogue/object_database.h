@@ -18,14 +18,17 @@ namespace scantrove {
 
 class DatabaseConnection;
 
-/// The catalogue on disk: SQLite (WAL) through QtSql, with a schema versioned by numbered migrations
-/// (schema/*.sql describe the tables). One instance belongs to one thread. Several instances (window,
-/// worker, command line) may open one file; a call waits at most 5 s for another's. Each change is one
-/// transaction: after kill -9 the file holds every call that returned. CatalogueModel defines operations on
-/// objects and their errors. Each change is stored with one row of `events`, which other instances read
+/// The catalogue on disk: SQLite (WAL) or PostgreSQL through QtSql, with a schema versioned by numbered
+/// migrations (schema/*.sql describe the tables). One instance belongs to one thread. Several instances
+/// (window, worker, command line) may open one file; a call waits at most 5 s for another's. Each change is
+/// one transaction: after kill -9 the file holds every call that returned. CatalogueModel defines operations
+/// on objects and their errors. Each change is stored with one row of `events`, which other instances read
 /// (changesAfter). Errors name the file. Nothing is ever deleted: the id of a hidden object gives an error
 /// that says what happened to it. It has more than thirty functions, because each operation of CatalogueModel
 /// is also a transaction here.
+///
+/// On a server a call may fail because the connection is lost. Later calls make it again; only a call that is
+/// lost while it commits may have been carried out.
 ///
 /// Only SQLite may open the file while it is in use. Closing another descriptor in the same process drops
 /// SQLite's POSIX locks, and the next program that closes the catalogue deletes its journal.
@@ -35,12 +38,15 @@ class ObjectDatabase {
   using Check = std::function<Result<void>()>;
   static Result<void> nothingToCheck() { return {}; }
 
-  /// Opens or creates the file, and applies missing migrations. Error: a folder, missing parent folder, not
-  /// writable, not a database, another program's, damaged, locked, newer.
+  /// Opens or creates the file, or opens the server's database (isServerAddress), and applies missing
+  /// migrations. Error: a folder, missing parent folder, not writable, not a database, another program's,
+  /// damaged, locked, newer; as DatabaseConnection::open.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> open(const std::string& database);
   /// Opens an existing catalogue for reading; nothing in it or beside it changes, and changing calls fail.
   /// Error: missing, no catalogue, or another version.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> openToRead(const std::string& database);
+  /// Whether it lies in a database of a PostgreSQL server.
+  [[nodiscard]] bool isOnServer() const;
   /// Identifies this catalogue: a UUID, drawn when it was created or migrated to this version. Copies of
   /// the file share it. Empty: an older version opened for reading.
   [[nodiscard]] Result<std::string> identity();

@@ -5,6 +5,7 @@
 #include <QSqlDatabase>
 #include <QSqlDriver>
 #include <QSqlError>
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 
@@ -15,7 +16,7 @@
 namespace scantrove {
 namespace {
 
-/// Between two attempts to reach a server, so that a window does not stand still while it is away.
+/// At least, between two attempts to reach a server, so that a window does not stand still while it is away.
 constexpr std::chrono::milliseconds kBetweenAttempts{1000};
 
 /// For libpq: a server that vanished is noticed within half a minute. For the server: the longest wait for a
@@ -179,8 +180,10 @@ Result<void> DatabaseConnection::reconnect() {
   QSqlDatabase database = QSqlDatabase::database(name_, false);
   database.close();
   if (!database.open()) {
+    const auto end = std::chrono::steady_clock::now();
     server_.refusal = server::describeConnecting(file_, database.lastError());
-    server_.next_attempt = std::chrono::steady_clock::now() + kBetweenAttempts;
+    server_.next_attempt =
+        end + std::max<std::chrono::steady_clock::duration>(kBetweenAttempts, 10 * (end - now));
     return fail(*server_.refusal);
   }
   server_ = {};

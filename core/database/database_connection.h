@@ -25,7 +25,8 @@ namespace scantrove {
 /// - A SQLite file: foreign keys, 5 s busy timeout, synchronous NORMAL. With the write-ahead log, commits
 ///   survive a killed process; a power cut may lose the last commits but never damages the file.
 /// - A database of a PostgreSQL server (ServerAddress): a statement waits at most 5 s for a lock. A lost
-///   connection is made again by the next statement outside a transaction, at most once a second.
+///   connection is made again by the next statement outside a transaction, at most once a second; where
+///   failing takes long, once in ten times that.
 class DatabaseConnection {
  public:
   static constexpr int kBusyTimeout_ms = 5000;
@@ -67,6 +68,7 @@ class DatabaseConnection {
   [[nodiscard]] static QString now();
 
  private:
+  friend class ReadSnapshot;
   friend class Transaction;
   enum class Use { read, write };
   DatabaseConnection() = default;

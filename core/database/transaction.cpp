@@ -80,4 +80,18 @@ bool Transaction::mayTryAgain(const DatabaseConnection& connection, int tries) {
   return true;
 }
 
+Result<ReadSnapshot> ReadSnapshot::begin(DatabaseConnection& connection) {
+  const Result<QSqlQuery> begun = connection.execute(
+      connection.isOnServer() ? "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" : "BEGIN DEFERRED");
+  if (!begun) return fail(begun.error());
+  ++connection.transactions_;
+  return Result<ReadSnapshot>(ReadSnapshot(connection));
+}
+
+ReadSnapshot::~ReadSnapshot() {
+  if (connection_ == nullptr) return;
+  static_cast<void>(connection_->execute("ROLLBACK"));
+  --connection_->transactions_;
+}
+
 }  // namespace scantrove

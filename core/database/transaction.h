@@ -33,6 +33,20 @@ class Transaction {
   int depth_;  // 0: outermost
 };
 
+/// Statements on the same connection see the database as it is at their first one, whatever others write
+/// meanwhile. A lost connection is an error until the end, so that no statement sees a later state.
+class ReadSnapshot {
+ public:
+  [[nodiscard]] static Result<ReadSnapshot> begin(DatabaseConnection& connection);
+  ReadSnapshot(ReadSnapshot&& other) noexcept : connection_(std::exchange(other.connection_, nullptr)) {}
+  ReadSnapshot& operator=(ReadSnapshot&&) = delete;
+  ~ReadSnapshot();
+
+ private:
+  explicit ReadSnapshot(DatabaseConnection& connection) : connection_(&connection) {}
+  DatabaseConnection* connection_;
+};
+
 /// Runs `work`, which returns a Result, in one transaction: commits on success, rolls back on failure. Runs
 /// it again after a conflict with other programs on a server.
 template <class Work>
