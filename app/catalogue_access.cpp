@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/base/text.h"
+#include "core/database/server_address.h"
 
 namespace scantrove {
 namespace {
@@ -22,7 +23,7 @@ std::uint32_t idFrom(const std::string& text) {
 
 Result<std::unique_ptr<ObjectDatabase>> openExistingCatalogue(const std::string& database) {
   std::error_code failure;
-  if (database.find("://") == std::string::npos && !std::filesystem::exists(database, failure)) {
+  if (!isServerAddress(database) && !std::filesystem::exists(database, failure)) {
     if (failure) {
       return fail("Cannot read " + database + " (" + failure.message() + ").", "Check the path.");
     }

@@ -9,6 +9,7 @@
 #include "core/capture/pose_files.h"
 #include "core/catalogue/object_database.h"
 #include "core/exchange/label_image_writer.h"
+#include "core/session/session_setup.h"
 
 namespace scantrove {
 namespace {
@@ -115,8 +116,7 @@ Json toJson(const Entry& entry, const EntryJudgment& judgment, const TrueScene& 
 Result<Json> evaluateCatalogueOf(const std::string& scan, const std::string& truth,
                                  const std::string& database) {
   const fs::path file = database.empty() ? fs::path(scan) / "catalogue.sqlite" : fs::path(database);
-  std::error_code ignored;
-  if (file.string().find("://") == std::string::npos && !fs::exists(file, ignored)) {
+  if (!mayCatalogueExist(file)) {
     return fail("There is no catalogue " + file.string() + ".",
                 "Give --database if the scan used another one.");
   }

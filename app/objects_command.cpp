@@ -6,6 +6,7 @@
 #include "app/catalogue_access.h"
 #include "app/class_actions.h"
 #include "app/command.h"
+#include "app/copy_action.h"
 #include "app/core_application.h"
 #include "app/json_output.h"
 #include "core/catalogue/class_json.h"
@@ -203,6 +204,7 @@ void addObjectsCommand(CLI::App& app, CommandJob& job) {
       ->add_option("OTHER", command->other, "name or id of the other object")
       ->required();
   take_object(add("delete", "Delete an object from the catalogue", remove), "name or id");
+  addCopyAction(*objects, job);
   const auto addDatabase = [command](CLI::App& sub) {
     sub.add_option("--database", command->database, "the catalogue")->required()->type_name("DB");
   };

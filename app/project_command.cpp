@@ -20,6 +20,7 @@
 #include "core/catalogue/object_database.h"
 #include "core/exchange/atomic_file.h"
 #include "core/project/project.h"
+#include "core/session/session_setup.h"
 
 namespace scantrove {
 namespace {
@@ -29,6 +30,7 @@ namespace fs = std::filesystem;
 struct ProjectCommand {
   std::string folder;
   std::string name;
+  std::string database;
   bool json = false;
   std::vector<std::string> sources;
   bool skip_refinement = false;
@@ -42,8 +44,7 @@ struct ObjectCounts {
 
 Result<ObjectCounts> countObjects(const Project& project) {
   ObjectCounts counts;
-  std::error_code failure;
-  if (!fs::exists(project.catalogue, failure)) return counts;
+  if (!mayCatalogueExist(project.catalogue)) return counts;
   const auto database = ObjectDatabase::openToRead(project.catalogue.string());
   if (!database) return fail(database.error());
   const auto objects = (*database)->objects();
@@ -56,7 +57,7 @@ Result<ObjectCounts> countObjects(const Project& project) {
 }
 
 Result<void> create(const ProjectCommand& command) {
-  const Result<Project> project = createProject(command.folder, command.name);
+  const Result<Project> project = createProject(command.folder, command.name, command.database);
   if (!project) return fail(project.error());
   std::cout << "project  " << inLine(project->name) << " in " << inLine(project->folder.string()) << '\n';
   return {};
@@ -205,6 +206,9 @@ void addCreate(CLI::App& parent, CommandJob& job) {
   CLI::App* sub = parent.add_subcommand("create", "Make a project in a new or an empty folder");
   sub->add_option("DIR", command->folder, "folder of the project")->required();
   sub->add_option("--name", command->name, "name of the project (default: the folder's)");
+  sub->add_option("--database", command->database,
+                  "a PostgreSQL database as its catalogue (default: the file catalogue.sqlite)")
+      ->type_name("URL");
   sub->callback([command, &job] { job = [command] { return create(*command); }; });
 }
 

@@ -100,7 +100,7 @@ void addScanCommand(CLI::App& app, CommandJob& job) {
   sub->add_option(
          "--database", command->database,
          "catalogue to search and extend (default: DIR/catalogue.sqlite, or that of the continued scan)")
-      ->type_name("FILE");
+      ->type_name("FILE|URL");
   sub->add_flag("--label-maps", command->label_maps, "also write segments and regions of each frame as PNGs");
   sub->add_flag("--skip-refinement", command->skip_refinement,
                 "skip the refinement; 'scantrove session refine' does it later");

@@ -4,8 +4,8 @@
 #include <QSqlRecord>
 #include <QStringList>
 #include <QVariant>
-#include <array>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "core/catalogue/catalogue_schema.h"

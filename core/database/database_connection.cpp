@@ -29,7 +29,7 @@ QString optionsOfServer(const ServerAddress& address, bool is_read_only) {
           " -c idle_in_transaction_session_timeout=60000%2'")
           .arg(QString::number(DatabaseConnection::kBusyTimeout_ms),
                is_read_only ? QStringLiteral(" -c default_transaction_read_only=on") : QString());
-  return address.options.isEmpty() ? options : address.options + u';' + options;
+  return address.options.empty() ? options : QString::fromStdString(address.options) + u';' + options;
 }
 
 bool mayBeRepeated(const QString& sql) {
@@ -108,10 +108,10 @@ Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::connectToServer(
   }
   auto connection = named(url, SqlDialect::postgresql);
   QSqlDatabase database = QSqlDatabase::addDatabase("QPSQL", connection->name_);
-  database.setHostName(address->host);
+  database.setHostName(QString::fromStdString(address->host));
   database.setPort(address->port);
-  database.setUserName(address->user);
-  database.setDatabaseName(address->database);
+  database.setUserName(QString::fromStdString(address->user));
+  database.setDatabaseName(QString::fromStdString(address->database));
   database.setConnectOptions(optionsOfServer(*address, use == Use::read));
   connection->server_.is_lost = true;  // until it is made
   SCANTROVE_TRY(connection->reconnect());

@@ -1,5 +1,6 @@
 #include "core/database/server_address.h"
 
+#include <QString>
 #include <QStringList>
 #include <QUrl>
 #include <QUrlQuery>
@@ -39,11 +40,11 @@ std::size_t authorityAt(std::string_view url) {
 Result<void> takeOption(ServerAddress& address, const QString& name, const QString& value) {
   if (name == QStringLiteral("password")) return passwordRefused();
   if (name == QStringLiteral("host")) {
-    address.host = value;
+    address.host = value.toStdString();
   } else if (name == QStringLiteral("user")) {
-    address.user = value;
+    address.user = value.toStdString();
   } else if (name == QStringLiteral("dbname")) {
-    address.database = value;
+    address.database = value.toStdString();
   } else if (name == QStringLiteral("port")) {
     bool is_number = false;
     address.port = value.toInt(&is_number);
@@ -55,7 +56,8 @@ Result<void> takeOption(ServerAddress& address, const QString& name, const QStri
       return fail("The option " + name.toStdString() + " in the address of the catalogue has a semicolon.",
                   "Give another name to what it stands for.");
     }
-    address.options += (address.options.isEmpty() ? "" : ";") + name + "=" + quoted(value);
+    if (!address.options.empty()) address.options += ';';
+    address.options += (name + u'=' + quoted(value)).toStdString();
   } else {
     QStringList known{QStringLiteral("host"), QStringLiteral("port"), QStringLiteral("user"),
                       QStringLiteral("dbname")};
@@ -80,10 +82,10 @@ Result<ServerAddress> serverAddressFrom(const std::string& url) {
   if (!isServerAddress(url) || !parsed.isValid() || parsed.hasFragment())
     return fail("The address of the catalogue is not complete or has a wrong letter.", kAddressForm);
   ServerAddress address;
-  address.host = parsed.host(QUrl::FullyDecoded);
-  address.user = parsed.userName(QUrl::FullyDecoded);
+  address.host = parsed.host(QUrl::FullyDecoded).toStdString();
+  address.user = parsed.userName(QUrl::FullyDecoded).toStdString();
   address.port = parsed.port();
-  address.database = parsed.path(QUrl::FullyDecoded).mid(1);
+  address.database = parsed.path(QUrl::FullyDecoded).mid(1).toStdString();
   for (const auto& [name, value] : QUrlQuery(parsed).queryItems(QUrl::FullyDecoded))
     SCANTROVE_TRY(takeOption(address, name, value));
   return address;

@@ -1,5 +1,4 @@
 #pragma once
-#include <QString>
 #include <string>
 #include <string_view>
 
@@ -12,9 +11,9 @@ namespace scantrove {
 /// Empty parts are libpq's defaults (PGHOST, PGSERVICE, ...). `?host=/FOLDER` names a UNIX socket. It never
 /// holds a password: libpq takes that from PGPASSWORD, ~/.pgpass or a service.
 struct ServerAddress {
-  QString host, user, database;
-  int port = -1;    ///< -1: libpq's default
-  QString options;  ///< the other options, as QSqlDatabase::setConnectOptions takes them
+  std::string host, user, database;
+  int port = -1;        ///< -1: libpq's default
+  std::string options;  ///< the other options, as QSqlDatabase::setConnectOptions takes them
 };
 
 /// Whether a `--database` names a server rather than a file. Any thread, like the following.

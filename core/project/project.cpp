@@ -8,6 +8,7 @@
 
 #include "core/base/label_name.h"
 #include "core/base/regular_file.h"
+#include "core/database/server_address.h"
 #include "core/exchange/atomic_file.h"
 #include "core/session/session_list.h"
 
@@ -21,8 +22,9 @@ constexpr const char *kProjectFile = "scantrove-project.json", *kCatalogueFile =
 /// Of earlier versions; other programs use the name, too.
 constexpr const char* kOldProjectFile = "project.json";
 /// The key that marks the file; its value is the version of the format.
-constexpr const char* kVersionKey = "scantrove_project";
-constexpr int kVersion = 1;
+constexpr const char *kVersionKey = "scantrove_project", *kServerKey = "catalogue";
+/// 2: the catalogue may lie on a server. Projects without one are still written as version 1.
+constexpr int kVersion = 2;
 constexpr std::size_t kLargestFile_bytes = 1 << 20;
 constexpr const char* kDefaultName = "Default project";
 /// File systems allow 255 bytes; " (2)" and names of temporary files need some.
@@ -44,7 +46,11 @@ tl::unexpected<Error> damaged(const fs::path& file) {
               "Restore it from a copy, or create a project in another folder.");
 }
 
-Result<std::string> nameFrom(const fs::path& file, const fs::path& folder) {
+Project projectIn(const fs::path& folder, std::string name, const std::string& server = {}) {
+  return {folder, std::move(name), server.empty() ? folder / kCatalogueFile : fs::path(server)};
+}
+
+Result<Project> projectFrom(const fs::path& file, const fs::path& folder) {
   const Result<std::string> text = readFile(file, kLargestFile_bytes);
   if (!text) return fail(text.error());
   const Json json = Json::parse(*text, nullptr, false);
@@ -58,7 +64,13 @@ Result<std::string> nameFrom(const fs::path& file, const fs::path& folder) {
   if (name == json.end() || !name->is_string()) return damaged(file);
   const Result<std::string> checked = checkedProjectName(name->get<std::string>());
   if (!checked) return damaged(file);
-  return checked->empty() ? folder.filename().string() : *checked;
+  std::string server;
+  if (const auto catalogue = json.find(kServerKey); catalogue != json.end()) {
+    if (!catalogue->is_string() || !isServerAddress(catalogue->get<std::string>())) return damaged(file);
+    server = catalogue->get<std::string>();
+    SCANTROVE_TRY(checkCatalogueName(server));
+  }
+  return projectIn(folder, checked->empty() ? folder.filename().string() : *checked, server);
 }
 
 /// The file of the project in `folder`; none: it has none.
@@ -68,10 +80,6 @@ fs::path projectFileIn(const fs::path& folder) {
     if (fs::is_regular_file(folder / name, failure)) return folder / name;
   }
   return {};
-}
-
-Project projectIn(const fs::path& folder, std::string name) {
-  return {folder, std::move(name), folder / kCatalogueFile};
 }
 
 bool isEmptyFolder(const fs::path& folder) {
@@ -131,16 +139,20 @@ Result<Project> openProject(const fs::path& folder) {
     return fail(path.string() + " is not a project: it has no " + kProjectFile + ".",
                 "Give a project's folder, or make one with 'scantrove project create DIR'.");
   }
-  Result<std::string> name = nameFrom(file, path);
-  if (!name) return fail(name.error());
-  return projectIn(path, std::move(*name));
+  return projectFrom(file, path);
 }
 
-Result<Project> createProject(const fs::path& folder, const std::string& name) {
+Result<Project> createProject(const fs::path& folder, const std::string& name, const std::string& server) {
   const Result<std::string> checked = checkedProjectName(name);
   if (!checked) return fail(checked.error());
+  if (!server.empty() && !isServerAddress(server)) {
+    return fail(
+        "A project keeps its catalogue in its own folder or on a PostgreSQL server, not in " + server + ".",
+        "Leave --database out, or give an address: postgresql://USER@HOST/DATABASE.");
+  }
+  SCANTROVE_TRY(checkCatalogueName(server));
   const fs::path path = absoluteFolder(folder);
-  const Project project = projectIn(path, checked->empty() ? path.filename().string() : *checked);
+  const Project project = projectIn(path, checked->empty() ? path.filename().string() : *checked, server);
   std::error_code failure;
   if (isProjectFolder(project.folder))
     return fail(project.folder.string() + " is a project already.", "Open it, or give another folder.");
@@ -150,7 +162,8 @@ Result<Project> createProject(const fs::path& folder, const std::string& name) {
   }
   SCANTROVE_TRY(prepareOutputFolder(project.folder));
   SCANTROVE_TRY(prepareOutputFolder(project.scansFolder()));
-  const Json json{{kVersionKey, kVersion}, {"name", project.name}};
+  Json json{{kVersionKey, server.empty() ? 1 : kVersion}, {"name", project.name}};
+  if (!server.empty()) json[kServerKey] = server;
   SCANTROVE_TRY(writeFileAtomically(project.folder / kProjectFile,
                                     json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
   return project;
@@ -161,6 +174,7 @@ Result<Project> projectOfScan(const fs::path& folder) {
 }
 
 Project projectOfCatalogue(const fs::path& catalogue) {
+  if (isServerAddress(catalogue.string())) return {defaultProject().folder, catalogue.string(), catalogue};
   std::error_code failure;
   const fs::path file = fs::absolute(catalogue, failure).lexically_normal();
   if (const Result<Project> project = openProject(file.parent_path()); project && project->catalogue == file)

@@ -8,15 +8,17 @@
 namespace scantrove {
 
 /// A folder with one catalogue and the scans whose objects it holds:
-///     scantrove-project.json   name of the project; the folder is recognised by it
+///     scantrove-project.json   name of the project, and the server of its catalogue if it has one (never a
+///                              password); the folder is recognised by it
 ///     catalogue.sqlite         objects and classes of all its scans
 ///     scans/NAME/              one session for each scan
 /// Projects of earlier versions have a project.json instead, which stays.
 /// It may be moved or copied as a whole: its scans find the catalogue of the folder that they lie in.
 struct Project {
-  std::filesystem::path folder;     ///< absolute
-  std::string name;                 ///< as typed, UTF-8
-  std::filesystem::path catalogue;  ///< absolute; folder/catalogue.sqlite, but see projectOfCatalogue()
+  std::filesystem::path folder;  ///< absolute
+  std::string name;              ///< as typed, UTF-8
+  /// Absolute; folder/catalogue.sqlite, or a server's address (isServerAddress); see projectOfCatalogue().
+  std::filesystem::path catalogue;
 
   [[nodiscard]] std::filesystem::path scansFolder() const { return folder / "scans"; }
 };
@@ -37,9 +39,11 @@ struct Project {
 [[nodiscard]] Result<Project> openProject(const std::filesystem::path& folder);
 
 /// Creates the folder (unless it exists and is empty) with scantrove-project.json and an empty folder of
-/// scans. `name`: empty is the folder's name. Error: the folder holds other things or is a project already;
-/// not writable; an unusable name.
-[[nodiscard]] Result<Project> createProject(const std::filesystem::path& folder, const std::string& name);
+/// scans. `name`: empty is the folder's name. `server`: the address of its catalogue; empty: it is a file of
+/// the folder. Error: the folder holds other things or is a project already; not writable; an unusable name;
+/// an address with a password.
+[[nodiscard]] Result<Project> createProject(const std::filesystem::path& folder, const std::string& name,
+                                            const std::string& server = {});
 
 /// The project in which the scan in `folder` lies. Error: as openProject.
 [[nodiscard]] Result<Project> projectOfScan(const std::filesystem::path& folder);

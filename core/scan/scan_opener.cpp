@@ -13,6 +13,7 @@
 #include "core/capture/peeked_source.h"
 #include "core/capture/usable_depth.h"
 #include "core/catalogue/object_database.h"
+#include "core/database/server_address.h"
 #include "core/scan/open_source.h"
 #include "core/session/catalogue_numbers.h"
 #include "core/session/open_session.h"
@@ -45,6 +46,7 @@ Result<ScanParts> ScanOpener::open(const ScanRequest& request, const ScanListene
 
 Result<void> ScanOpener::openAll() {
   SCANTROVE_TRY(checkFolder());
+  SCANTROVE_TRY(checkCatalogueName(parts_.request.database));  // before a session keeps the name
   SCANTROVE_TRY(openFrames());
   const SourceInfo& info = parts_.source->info();
   if (parts_.takesGivenPoses() && !info.has_poses) {
@@ -107,8 +109,7 @@ Result<void> ScanOpener::openSessionToRefine() {
   request.results = ownResults(folder).files;
   parts_.origin_world = setup->origin_m;
   request.database = databaseFileOf(*setup, folder).string();
-  std::error_code ignored;
-  if (!std::filesystem::exists(request.database, ignored)) {
+  if (!mayCatalogueExist(request.database)) {
     return fail("The catalogue " + request.database + " of the scan " + folder.string() + " is not there.",
                 "Put it back, then refine the scan.");
   }
@@ -197,9 +198,8 @@ Result<void> ScanOpener::readSession(const SourceInfo& info) {
   continuePoseUse(setup->poses, info);
   if (!request.database.empty()) return {};
   std::filesystem::path file = databaseFileOf(*setup, *request.output_folder);
-  std::error_code ignored;
   // The session may have been copied without its catalogue.
-  if (!std::filesystem::exists(file, ignored)) file = *request.output_folder / "catalogue.sqlite";
+  if (!mayCatalogueExist(file)) file = *request.output_folder / "catalogue.sqlite";
   request.database = file.string();
   return {};
 }

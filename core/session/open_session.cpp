@@ -77,9 +77,7 @@ void OpenSession::readCatalogue() {
     if (*is_other) damages_.push_back(isAnotherCatalogue(folder_, file.string()).message());
     return moveInto(catalogue_, (*database)->model());
   };
-  std::error_code ignored;
-  const bool is_there = !file.empty() && std::filesystem::is_regular_file(file, ignored);
-  const bool is_read = is_there && guarded("reading the catalogue", read);
+  const bool is_read = mayCatalogueExist(file) && guarded("reading the catalogue", read);
   region_objects_.clear();
   labels_.clear();
   std::set<RegionId> regions;

@@ -16,8 +16,7 @@ namespace {
 Result<std::unique_ptr<ObjectDatabase>> openCatalogueOf(OpenSession& session) {
   const std::filesystem::path file = catalogueFileOf(session);
   if (file.empty()) return fail("The session " + session.folder().string() + " has no catalogue.");
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) {
+  if (!mayCatalogueExist(file)) {
     return fail("The catalogue " + file.string() + " of this session is not there.",
                 "Put it back; it follows when the session is opened next.");
   }

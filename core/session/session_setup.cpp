@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/base/text.h"
+#include "core/database/server_address.h"
 #include "core/session/param_registry.h"
 #include "core/session/row_checks.h"
 
@@ -26,7 +27,8 @@ bool isOfSameProject(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 std::string storedDatabaseName(const std::string& database, const fs::path& folder) {
-  if (database.empty() || database.find("://") != std::string::npos) return database;
+  if (isServerAddress(database)) return withoutPassword(database);
+  if (database.empty()) return database;
   const fs::path file = fs::absolute(database).lexically_normal();
   const fs::path from_folder = file.lexically_relative(fs::absolute(folder).lexically_normal());
   const bool is_in_folder = !from_folder.empty() && *from_folder.begin() != "..";
@@ -34,7 +36,7 @@ std::string storedDatabaseName(const std::string& database, const fs::path& fold
 }
 
 fs::path databaseFileOf(const SessionSetup& setup, const fs::path& folder) {
-  if (setup.database.empty()) return {};
+  if (setup.database.empty() || isServerAddress(setup.database)) return setup.database;
   const fs::path kept = setup.database;
   std::error_code ignored;
   // Sessions of the first version store the path as typed; and folders may be moved with their catalogue.
@@ -42,6 +44,11 @@ fs::path databaseFileOf(const SessionSetup& setup, const fs::path& folder) {
     if (fs::exists(file, ignored)) return file;
   }
   return folder / kept;
+}
+
+bool mayCatalogueExist(const fs::path& catalogue) {
+  std::error_code ignored;
+  return isServerAddress(catalogue.string()) || fs::is_regular_file(catalogue, ignored);
 }
 
 std::string originToText(const Eigen::Vector3d& origin_m) {

@@ -20,13 +20,17 @@ struct SessionSetup {
   std::string poses = {};  ///< "auto", "tracked" or "given"; empty: of an older version
 };
 
-/// The stored name of the catalogue for a session in `folder`: relative to the folder if inside it, or if
-/// both are of one project (PROJECT/scans/NAME and PROJECT/FILE), which may be moved; else absolute.
+/// The stored name of the catalogue for a session in `folder`: a server's address; or a file, relative to the
+/// folder if inside it, or if both are of one project (PROJECT/scans/NAME and PROJECT/FILE), which may be
+/// moved; else absolute.
 [[nodiscard]] std::string storedDatabaseName(const std::string& database,
                                              const std::filesystem::path& folder);
-/// The catalogue's file from the name stored in the session in `folder`.
+/// The catalogue's file, or its server's address, from the name stored in the session in `folder`.
 [[nodiscard]] std::filesystem::path databaseFileOf(const SessionSetup& setup,
                                                    const std::filesystem::path& folder);
+
+/// False: it is a file that is not there. Only opening it shows whether a server has it.
+[[nodiscard]] bool mayCatalogueExist(const std::filesystem::path& catalogue);
 
 /// The metadata key for SessionSetup::origin_m.
 inline constexpr const char* kOriginKey = "origin_m";

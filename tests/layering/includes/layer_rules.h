@@ -94,7 +94,7 @@ class LayerRules {
          {"base", "geometry", "image", "compute", "database", "capture", "exchange", "dataset", "fusion",
           "tracking", "segmentation", "labeling", "discovery", "editing", "catalogue", "pipeline",
           "collection"}},
-        {"project", {"base", "exchange", "session"}},
+        {"project", {"base", "database", "exchange", "session"}},
         {"refinement",
          {"base", "compute", "capture", "labeling", "discovery", "editing", "pipeline", "collection",
           "session"}}};
@@ -135,7 +135,8 @@ class LayerRules {
                                                "QElapsedTimer", "QSettings",      "QUrl",
                                                "QResource",     "QMetaObject",    "QPointer",
                                                "QDebug",        "QVariantMap",    "QStringView",
-                                               "QSaveFile",     "QHash"};
+                                               "QSaveFile",     "QHash",          "QEventLoop",
+                                               "QUrlQuery"};
     if (startsWith(header, "vtk")) return Toolkit::vtk;
     if (startsWith(header, "QtCore/") || startsWith(header, "QJson") || kQtCore.contains(header))
       return Toolkit::qt_core;
