@@ -86,7 +86,8 @@ class CatalogueCopier {
   }
 
   Result<QStringList> columnsOf(const CopiedTable& table) {
-    const Result<QSqlQuery> none = from_.execute(QString("SELECT * FROM %1 WHERE 1 = 0").arg(table.name));
+    const Result<QSqlQuery> none =
+        from_.execute(QString("SELECT * FROM %1 WHERE 1 = 0").arg(QLatin1String(table.name)));
     if (!none) return fail(none.error());
     const QSqlRecord record = none->record();
     QStringList columns;
@@ -102,14 +103,16 @@ class CatalogueCopier {
     const QString list = columns->join(QStringLiteral(", "));
     const QString insert =
         QString("INSERT INTO %1 (%2) VALUES (%3)")
-            .arg(table.name, list,
+            .arg(QLatin1String(table.name), list,
                  QStringList(columns->size(), QStringLiteral("?")).join(QStringLiteral(", ")));
     const QString select = QString("SELECT %1 FROM %2%3 ORDER BY %4 LIMIT %5");
     QVariant last;
     for (int rows = kRowsOfAPage; rows == kRowsOfAPage;) {
-      const QString after = last.isValid() ? QString(" WHERE %1 > ?").arg(table.key) : QString();
+      const QString after =
+          last.isValid() ? QString(" WHERE %1 > ?").arg(QLatin1String(table.key)) : QString();
       Result<QSqlQuery> page =
-          from_.execute(select.arg(list, table.name, after, table.key, QString::number(kRowsOfAPage)),
+          from_.execute(select.arg(list, QLatin1String(table.name), after, QLatin1String(table.key),
+                                   QString::number(kRowsOfAPage)),
                         last.isValid() ? QVariantList{last} : QVariantList{});
       if (!page) return fail(page.error());
       for (rows = 0; page->next(); ++rows) {
@@ -124,12 +127,13 @@ class CatalogueCopier {
 
   Result<void> copyLater(const CopiedTable& table) {
     for (const char* column : table.later_columns) {
-      Result<QSqlQuery> rows =
-          from_.execute(QString("SELECT id, %1 FROM %2 WHERE %1 IS NOT NULL").arg(column, table.name));
+      Result<QSqlQuery> rows = from_.execute(QString("SELECT id, %1 FROM %2 WHERE %1 IS NOT NULL")
+                                                 .arg(QLatin1String(column), QLatin1String(table.name)));
       if (!rows) return fail(rows.error());
       while (rows->next()) {
-        SCANTROVE_TRY(to_.execute(QString("UPDATE %1 SET %2 = ? WHERE id = ?").arg(table.name, column),
-                                  {rows->value(1), rows->value(0)}));
+        SCANTROVE_TRY(
+            to_.execute(QString("UPDATE %1 SET %2 = ? WHERE id = ?").arg(QLatin1String(table.name), column),
+                        {rows->value(1), rows->value(0)}));
       }
     }
     return {};
@@ -149,12 +153,13 @@ class CatalogueCopier {
     if (!before) return fail(before.error());
     if (!after) return fail(after.error());
     if (*before != *after)
-      return fail(damagedDatabase(from_.file(), std::string("of the table ") + table.name));
+      return fail(damagedDatabase(from_.file(),
+                                  std::string("not all rows of the table ") + table.name + " can be read"));
     if (!to_.isOnServer() || std::string_view(table.key) != "id") return {};
     SCANTROVE_TRY(
         to_.execute(QString("SELECT setval(pg_get_serial_sequence('%1', 'id'), coalesce(max(id), 1),"
                             " max(id) IS NOT NULL) FROM %1")
-                        .arg(table.name)));
+                        .arg(QLatin1String(table.name))));
     return {};
   }
 

@@ -6,6 +6,7 @@
 #include <QUrlQuery>
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace scantrove {
 namespace {
@@ -50,7 +51,8 @@ Result<void> takeOption(ServerAddress& address, const QString& name, const QStri
     address.port = value.toInt(&is_number);
     if (!is_number || address.port < 1 || address.port > 65535)
       return fail("The port in the address of the catalogue is not a number from 1 to 65535.", kAddressForm);
-  } else if (std::ranges::find(kServerOptions, name) != kServerOptions.end()) {
+  } else if (std::ranges::any_of(kServerOptions,
+                                 [&](const char* one) { return name == QLatin1String(one); })) {
     // QtSql takes a semicolon as the end of an option.
     if (value.contains(u';')) {
       return fail("The option " + name.toStdString() + " in the address of the catalogue has a semicolon.",

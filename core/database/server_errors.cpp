@@ -72,10 +72,10 @@ std::string withAddress(std::string text, const std::string& url) {
 
 Failure failureOf(const QSqlError& error) {
   const QString code = error.nativeErrorCode();
-  if (code == u"40001" || code == u"40P01") return Failure::conflict;
+  if (code == QLatin1String("40001") || code == QLatin1String("40P01")) return Failure::conflict;
   // The server ended the connection, or libpq found it closed and has no code.
-  const bool is_lost =
-      code.isEmpty() || code.startsWith(u"08") || code.startsWith(u"57P") || code == u"25P03";
+  const bool is_lost = code.isEmpty() || code.startsWith(QLatin1String("08")) ||
+                       code.startsWith(QLatin1String("57P")) || code == QLatin1String("25P03");
   return is_lost ? Failure::lost : Failure::refused;
 }
 

@@ -33,6 +33,9 @@ std::unique_ptr<ServerNotifications> ServerNotifications::start(const std::strin
   return notifications;
 }
 
+ServerNotifications::ServerNotifications(std::function<void()> on_change)
+    : on_change_(std::move(on_change)) {}
+
 ServerNotifications::~ServerNotifications() {
   if (!thread_) return;
   thread_->quit();

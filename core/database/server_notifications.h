@@ -31,7 +31,7 @@ class ServerNotifications {
   [[nodiscard]] bool isListening() const { return is_listening_; }
 
  private:
-  explicit ServerNotifications(std::function<void()> on_change) : on_change_(std::move(on_change)) {}
+  explicit ServerNotifications(std::function<void()> on_change);
   void run(const std::string& database);
   /// Begins to listen if it does not. Also notices a lost connection, which libpq reports to nobody.
   void check(DatabaseConnection& connection);
