@@ -26,7 +26,7 @@ class AppliedEditsTest : public CatalogueTest {
   }
   /// Row counts of all tables that an edit writes.
   [[nodiscard]] std::string rows() const {
-    return askSqlite(
+    return askDatabase(
         file(),
         "SELECT (SELECT count(*) FROM sessions) || ' ' || (SELECT count(*) FROM objects) || ' ' ||"
         " (SELECT count(*) FROM views) || ' ' || (SELECT count(*) FROM view_summaries) || ' ' ||"
@@ -56,7 +56,7 @@ TEST_F(AppliedEditsTest, ChangesNothing_WhenAnyStepFails) {
   for (const char* table : {"sessions", "events", "objects", "views", "view_summaries", "descriptors",
                             "pictures", "applied_edits"}) {
     const auto rename = [&](const QString& from, const QString& to) {
-      askSqlite(file(), QString("ALTER TABLE %1 RENAME TO %2").arg(from, to));
+      askDatabase(file(), QString("ALTER TABLE %1 RENAME TO %2").arg(from, to));
     };
     rename(table, "renamed_away");
     EXPECT_FALSE(database->applyOnce("a", [&] { return nameNewObject(*database); })) << table;

@@ -123,13 +123,14 @@ TEST_F(CatalogueChangesTest, ReportsChangesOfClasses) {
 TEST_F(CatalogueChangesTest, SkipsMalformedEvents) {
   const auto database = openOrFail(file());
   ASSERT_TRUE(database->addObject(randomView(0)));
-  askSqlite(file(), "INSERT INTO events (created, action, object) VALUES ('', 'juggle', 1)");
-  askSqlite(file(), "INSERT INTO events (created, action, after_json) VALUES ('', 'rename', '{}')");
-  askSqlite(file(), "INSERT INTO events (created, action, object, after_json) VALUES ('', 'rename', 1, '[')");
-  askSqlite(file(), "INSERT INTO events (created, action, object) VALUES ('', 'merge', 1)");
+  askDatabase(file(), "INSERT INTO events (created, action, object) VALUES ('', 'juggle', 1)");
+  askDatabase(file(), "INSERT INTO events (created, action, after_json) VALUES ('', 'rename', '{}')");
+  askDatabase(file(),
+              "INSERT INTO events (created, action, object, after_json) VALUES ('', 'rename', 1, '[')");
+  askDatabase(file(), "INSERT INTO events (created, action, object) VALUES ('', 'merge', 1)");
   for (const char* json :
        {"{}", "[", R"({"class": 0, "color": "#000000"})", R"({"class": 3, "color": "red"})"}) {
-    askSqlite(
+    askDatabase(
         file(),
         QString("INSERT INTO events (created, action, after_json) VALUES ('', 'class-add', '%1')").arg(json));
   }
@@ -142,9 +143,9 @@ TEST_F(CatalogueChangesTest, EventsStoreStatesBeforeAndAfter) {
   const ObjectId a = database->addObject(randomView(0))->id, b = database->addObject(randomView(1))->id;
   EXPECT_TRUE(database->rename(a, "mug"));
   EXPECT_TRUE(database->merge(std::array{a, b}));
-  EXPECT_EQ(askSqlite(file(), "SELECT before_json FROM events WHERE action = 'rename'"),
+  EXPECT_EQ(askDatabase(file(), "SELECT before_json FROM events WHERE action = 'rename'"),
             R"({"confirmed":false,"hidden":false,"name":"Obj_1","named_by_person":false})");
-  EXPECT_EQ(askSqlite(file(), "SELECT after_json FROM events WHERE action = 'merge'"),
+  EXPECT_EQ(askDatabase(file(), "SELECT after_json FROM events WHERE action = 'merge'"),
             R"({"confirmed":false,"hidden":true,"merged_into":1,"name":"Obj_2","named_by_person":false})");
 }
 

@@ -4,14 +4,24 @@
 
 #include <QSqlDatabase>
 #include <QSqlQuery>
+#include <QStringList>
 #include <QVariant>
 #include <filesystem>
+#include <functional>
 #include <opencv2/core.hpp>
 #include <string>
 
 #include "core/catalogue/object_database.h"
+#include "core/database/server_address.h"
 
 namespace scantrove::test {
+
+/// Where the tests' catalogues lie, by a name that is unique to the test; empty: in files of its folder. The
+/// tests of servers set it (unit/catalogue_postgresql).
+inline std::function<std::string(const std::string&)>& catalogueNamer() {
+  static std::function<std::string(const std::string&)> namer;
+  return namer;
+}
 
 /// A folder of its own for each test, removed at its end.
 class CatalogueTest : public ::testing::Test {
@@ -27,7 +37,7 @@ class CatalogueTest : public ::testing::Test {
     std::filesystem::remove_all(folder_, ignored);
   }
   [[nodiscard]] std::string file(const std::string& name = "catalogue.sqlite") const {
-    return folder_ / name;
+    return catalogueNamer() ? catalogueNamer()(folder_ / name) : (folder_ / name).string();
   }
 
   std::filesystem::path folder_;
@@ -69,19 +79,33 @@ inline bool sameImage(const cv::Mat& a, const cv::Mat& b) {
 }
 
 /// One value by a plain connection beside the program's, as text.
-inline std::string askSqlite(const std::string& file, const QString& sql) {
+inline std::string askPlainly(const QString& driver, const std::string& database_name,
+                              const ServerAddress& address, const QStringList& statements) {
   const QString name = "scantrove-test-question";
   QString answer;
   {
-    QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", name);
-    database.setDatabaseName(QString::fromStdString(file));
-    if (database.open()) {
+    QSqlDatabase database = QSqlDatabase::addDatabase(driver, name);
+    database.setDatabaseName(QString::fromStdString(database_name));
+    database.setHostName(QString::fromStdString(address.host));
+    database.setUserName(QString::fromStdString(address.user));
+    for (const QString& sql : database.open() ? statements : QStringList()) {
       QSqlQuery query(database);
-      if (query.exec(sql) && query.next()) answer = query.value(0).toString();
+      answer = query.exec(sql) && query.next() ? query.value(0).toString() : QString();
     }
   }
   QSqlDatabase::removeDatabase(name);
   return answer.toStdString();
+}
+
+inline std::string askSqlite(const std::string& file, const QString& sql) {
+  return askPlainly("QSQLITE", file, {}, {sql});
+}
+
+/// The same of a catalogue wherever it lies. Foreign keys are not checked, as in SQLite by default.
+inline std::string askDatabase(const std::string& database, const QString& sql) {
+  if (!isServerAddress(database)) return askSqlite(database, sql);
+  const ServerAddress address = *serverAddressFrom(database);
+  return askPlainly("QPSQL", address.database, address, {"SET session_replication_role = replica", sql});
 }
 
 /// Changes a catalogue's schema back to version 8, which had no classes.

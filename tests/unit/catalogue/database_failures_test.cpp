@@ -146,10 +146,6 @@ TEST_F(DatabaseFailuresTest, NamesThePath_WhenItIsAFolderOrMissing) {
   EXPECT_THAT(messageOf(""), HasSubstr("No database"));
 }
 
-TEST_F(DatabaseFailuresTest, RefusesPostgresql) {
-  EXPECT_THAT(messageOf("postgresql://someone@host/db"), AllOf(HasSubstr("PostgreSQL"), HasSubstr("SQLite")));
-}
-
 TEST_F(DatabaseFailuresTest, NamesTheFile_WhenItCannotBeCreated) {
   // Root cannot write to /proc either.
   EXPECT_THAT(messageOf("/proc/catalogue.sqlite"), HasSubstr("/proc/catalogue.sqlite"));

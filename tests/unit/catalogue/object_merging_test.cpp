@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <sstream>
+
 #include "catalogue_test_support.h"
 
 namespace scantrove::test {
@@ -35,11 +37,16 @@ class ObjectMergingTest : public CatalogueTest {
   [[nodiscard]] ObjectRecord record(ObjectId id) const { return *database_->object(id); }
   /// The visible objects and their views, as one text.
   [[nodiscard]] std::string visibleState() const {
-    return askSqlite(
-        file(),
-        "SELECT group_concat(id || name || named_by_person || confirmed || size_x_m || size_y_m ||"
-        " size_z_m || best_view || (SELECT group_concat(v.id) FROM views v WHERE v.object = o.id))"
-        " FROM objects o WHERE hidden = 0");
+    std::ostringstream text;
+    for (const ObjectRecord& object : *database_->objects()) {
+      text << object.id.value << object.name << static_cast<int>(object.named_by) << object.confirmed
+           << object.size_m.transpose()
+           << askDatabase(file(),
+                          QString("SELECT best_view FROM objects WHERE id = %1").arg(object.id.value));
+      for (const ObjectView& view : *database_->views().of(object.id)) text << ' ' << view.id;
+      text << ';';
+    }
+    return text.str();
   }
 
   std::unique_ptr<ObjectDatabase> database_;
@@ -161,7 +168,7 @@ TEST_F(ObjectMergingTest, DiscardedViewsLeaveTheRoot_WhenTheObjectIsMerged) {
 TEST_F(ObjectMergingTest, ChangesNothing_WhenOneOfSeveralObjectsIsHiddenOrUnknown) {
   const Ids ids{add(), add(), add()};
   EXPECT_TRUE(database_->remove({&ids[1], 1}));
-  const std::string before = visibleState(), events = askSqlite(file(), "SELECT count(*) FROM events");
+  const std::string before = visibleState(), events = askDatabase(file(), "SELECT count(*) FROM events");
   EXPECT_FALSE(database_->remove(ids));
   EXPECT_FALSE(database_->setConfirmed(ids, true));
   EXPECT_FALSE(database_->merge(ids));
@@ -169,7 +176,7 @@ TEST_F(ObjectMergingTest, ChangesNothing_WhenOneOfSeveralObjectsIsHiddenOrUnknow
   EXPECT_FALSE(database_->remove(unknown));
   EXPECT_FALSE(database_->restore(unknown));
   EXPECT_EQ(visibleState(), before);
-  EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM events"), events);
+  EXPECT_EQ(askDatabase(file(), "SELECT count(*) FROM events"), events);
 
   const Ids twice{ids[0], ids[0], ids[2]};
   EXPECT_TRUE(database_->setConfirmed(twice, true));
@@ -334,10 +341,10 @@ TEST_F(ObjectMergingTest, ModelHasTheMergeRootOfEachObject) {
 
 TEST_F(ObjectMergingTest, MergeRootIsNone_WhenMergesAreCyclicOrDangling) {
   const Ids ids{add(), add(), add(), add()};
-  askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 2 WHERE id = 1");
-  askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 1 WHERE id = 2");
-  askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 77 WHERE id = 3");
-  askSqlite(file(), "UPDATE objects SET merged_into = 4 WHERE id = 4");
+  askDatabase(file(), "UPDATE objects SET hidden = 1, merged_into = 2 WHERE id = 1");
+  askDatabase(file(), "UPDATE objects SET hidden = 1, merged_into = 1 WHERE id = 2");
+  askDatabase(file(), "UPDATE objects SET hidden = 1, merged_into = 77 WHERE id = 3");
+  askDatabase(file(), "UPDATE objects SET merged_into = 4 WHERE id = 4");
   EXPECT_FALSE(*database_->mergeRoot(ids[0]));
   EXPECT_FALSE(*database_->mergeRoot(ids[2]));
   EXPECT_EQ(*database_->mergeRoot(ids[3]), ids[3]);
