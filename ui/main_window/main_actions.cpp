@@ -22,6 +22,8 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
                       tr("Open another project: a folder with a catalogue and its scans"));
   new_project = make("", tr("&New project…"), tr("Ctrl+N"), tr("Make a project in a new folder"));
   open_catalogue = make("", tr("Open ca&talogue…"), {}, tr("Open or create a catalogue outside projects"));
+  connect_catalogue = make("", tr("Connect to catalo&gue…"), {},
+                           tr("Use a catalogue on a PostgreSQL server, which several scanners share"));
   open_session = make("clock", tr("Open &scan…"), {}, tr("Open a saved scan to label it"));
   export_data = make("image", tr("&Export data set…"), tr("Ctrl+E"),
                      tr("Export the labelled scan (COCO, BOP, meshes, …)"));
@@ -102,7 +104,8 @@ void MainActions::enableFor(ScanState state, bool has_source) {
   stop->setEnabled(state == ScanState::starting || state == ScanState::scanning || paused);
   skip_refinement->setEnabled(state == ScanState::refining);
   if (busy) enableRefinement(false);
-  for (QAction* action : {open_project, new_project, open_catalogue}) action->setEnabled(!busy);
+  for (QAction* action : {open_project, new_project, open_catalogue, connect_catalogue})
+    action->setEnabled(!busy);
 }
 
 }  // namespace scantrove

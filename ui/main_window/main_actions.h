@@ -25,6 +25,7 @@ class MainActions : public QObject {
   QAction* open_project;
   QAction* new_project;
   QAction* open_catalogue;
+  QAction* connect_catalogue;
   QAction* open_session;
   QAction* export_data;
   QAction* close_scan;

@@ -58,7 +58,7 @@ void MainMenus::makeMenus() {
   file->addActions({actions.open_project, actions.new_project});
   recent_projects_ = file->addMenu(tr("Recent &projects"));
   recent_projects_->setObjectName(QStringLiteral("recentProjectsMenu"));
-  file->addAction(actions.open_catalogue);
+  file->addActions({actions.open_catalogue, actions.connect_catalogue});
   file->addSeparator();
   file->addActions({actions.close_scan, actions.quit});
 
@@ -154,6 +154,7 @@ void MainMenus::connectActions() {
   on(actions.open_project, [this] { window_.dialogs().openProject(); });
   on(actions.new_project, [this] { window_.dialogs().newProject(); });
   on(actions.open_catalogue, [this] { window_.dialogs().chooseCatalogue(); });
+  on(actions.connect_catalogue, [this] { window_.dialogs().connectCatalogue(); });
   on(actions.open_session, [this] { window_.dialogs().chooseSession(); });
   on(actions.export_data, [this] { window_.dialogs().showExport(); });
   on(actions.next_picture, [this] { parts_.frames->featureNext(); });
@@ -218,7 +219,7 @@ void MainMenus::fillRecentProjects() {
   for (const QString& place : ProjectChoice::recent()) {
     const bool is_folder = QFileInfo(place).isDir();
     QAction* action =
-        recent_projects_->addAction(QFileInfo(place).fileName(), this, [this, place, is_folder] {
+        recent_projects_->addAction(ProjectChoice::titleOf(place), this, [this, place, is_folder] {
           is_folder ? window_.openProjectFolder(place) : window_.openCatalogue(place);
         });
     action->setToolTip(place);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/database/server_address.h"
 #include "core/session/session_list.h"
 #include "core/session/session_setup.h"
 #include "ui/main_window/scan_controller.h"
@@ -17,6 +18,11 @@ const QString kLastKey = QStringLiteral("project/last"), kRecentKey = QStringLit
 constexpr int kMostRecent = 8;
 
 QString fromPath(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+bool isOnServer(const QString& catalogue) { return isServerAddress(catalogue.toStdString()); }
+
+/// Only opening it shows whether a server has it.
+bool mayExist(const QString& place) { return isOnServer(place) || QFileInfo::exists(place); }
 
 bool isSameFile(const QString& a, const QString& b) {
   return a == b || (QFileInfo::exists(a) && QFileInfo(a) == QFileInfo(b));
@@ -43,7 +49,8 @@ void ProjectChoice::use(const Project& project) {
 
 bool ProjectChoice::showAndUse(const Project& project) {
   std::error_code ignored;  // opening the catalogue reports it
-  std::filesystem::create_directories(project.catalogue.parent_path(), ignored);
+  if (!isOnServer(fromPath(project.catalogue)))
+    std::filesystem::create_directories(project.catalogue.parent_path(), ignored);
   if (!show(fromPath(project.catalogue))) return false;
   use(project);
   return true;
@@ -51,12 +58,29 @@ bool ProjectChoice::showAndUse(const Project& project) {
 
 QStringList ProjectChoice::recent() {
   QStringList places = QSettings().value(kRecentKey).toStringList();
-  places.removeIf([](const QString& place) { return !QFileInfo::exists(place); });
+  places.removeIf([](const QString& place) { return !mayExist(place); });
   return places;
 }
 
+QStringList ProjectChoice::recentServers() {
+  QStringList servers = recent();
+  servers.removeIf([](const QString& place) { return !isOnServer(place); });
+  return servers;
+}
+
+QString ProjectChoice::titleOf(const QString& place) {
+  return isOnServer(place) ? place : QFileInfo(place).fileName();
+}
+
+std::string ProjectChoice::catalogueFile() const {
+  return isOnServer(fromPath(project_.catalogue)) ? defaultProject().catalogue.string()
+                                                  : project_.catalogue.string();
+}
+
 void ProjectChoice::remember() const {
-  const bool is_whole = project_.catalogue.parent_path() == project_.folder;
+  // A catalogue outside projects has a project of its own, which no folder describes.
+  const Result<Project> of_folder = openProject(project_.folder);
+  const bool is_whole = of_folder && of_folder->catalogue == project_.catalogue;
   const QString place = fromPath(is_whole ? project_.folder : project_.catalogue);
   QStringList places = recent();
   places.removeAll(place);
@@ -79,7 +103,7 @@ void ProjectChoice::openAtStart(const QString& project, const QString& catalogue
   }
   const QString last = project.isEmpty() ? QSettings().value(kLastKey).toString() : QString();
   // The choice stays stored, because the disk may only be missing now.
-  if (!last.isEmpty() && !QFileInfo::exists(last)) {
+  if (!last.isEmpty() && !mayExist(last)) {
     emit warned(tr("The last project %1 is missing. The window uses %2 now. Put it back and restart, or "
                    "choose another with File > Open project.")
                     .arg(last, fromPath(defaultProject().folder)));
@@ -145,7 +169,7 @@ void ProjectChoice::showCatalogueOf(const QString& session_folder) {
   }
   const QString file = QString::fromStdString(databaseFileOf(setup, folder).string());
   if (file.isEmpty()) return editor_.close();
-  if (!QFileInfo::exists(file)) {
+  if (!mayExist(file)) {
     editor_.close();
     emit warned(tr("The catalogue %1 of this scan is missing, so no objects are shown. Put the file back and "
                    "open the scan again.")

@@ -2,6 +2,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <string>
 
 #include "core/project/project.h"
 
@@ -34,8 +35,13 @@ class ProjectChoice : public QObject {
   void showCatalogueOf(const QString& session_folder);
   [[nodiscard]] const Project& project() const { return project_; }
   [[nodiscard]] QString name() const { return QString::fromStdString(project_.name); }
-  /// Folders of projects and files of catalogues that exist, the newest first.
+  /// The catalogue's file; that of the default project if the catalogue lies on a server.
+  [[nodiscard]] std::string catalogueFile() const;
+  /// Folders of projects and files of catalogues that exist, and addresses of servers, the newest first.
   [[nodiscard]] static QStringList recent();
+  [[nodiscard]] static QStringList recentServers();
+  /// What a menu shows for one of recent().
+  [[nodiscard]] static QString titleOf(const QString& place);
 
  signals:
   void changed();  ///< another project

@@ -13,6 +13,7 @@
 #include "ui/panels/file_dialogs.h"
 #include "ui/panels/help_dialog.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/server_dialog.h"
 #include "ui/panels/source_dialog.h"
 
 namespace scantrove {
@@ -44,10 +45,15 @@ void WindowDialogs::openCamera() {
 }
 
 void WindowDialogs::chooseCatalogue() {
-  const QString file = chooseFileToSave(
-      &window_, tr("Catalogue to open or create"),
-      QString::fromStdString(window_.project().project().catalogue.string()), tr("Catalogues (*.sqlite)"));
+  const QString file = chooseFileToSave(&window_, tr("Catalogue to open or create"),
+                                        QString::fromStdString(window_.project().catalogueFile()),
+                                        tr("Catalogues (*.sqlite)"));
   if (!file.isEmpty()) window_.openCatalogue(file);
+}
+
+void WindowDialogs::connectCatalogue() {
+  ServerDialog dialog(ProjectChoice::recentServers(), &window_);
+  if (dialog.exec() == QDialog::Accepted) window_.openCatalogue(dialog.address());
 }
 
 void WindowDialogs::openProject() {

@@ -22,6 +22,7 @@ class WindowDialogs : public QObject {
   void openProject();
   void newProject();
   void chooseCatalogue();
+  void connectCatalogue();
   void chooseSession();
   void showExport();
   void closeExport();

@@ -4,6 +4,9 @@
 #include <QFileInfo>
 #include <QUndoCommand>
 #include <opencv2/core.hpp>
+#include <utility>
+
+#include "core/database/server_address.h"
 
 namespace scantrove {
 namespace {
@@ -47,7 +50,7 @@ CatalogueEditor::~CatalogueEditor() { history_.forget(this); }
 
 Result<void> CatalogueEditor::open(const QString& file) {
   const QString folder = QFileInfo(file).absolutePath();
-  if (!QDir().mkpath(folder)) {
+  if (!isServerAddress(file.toStdString()) && !QDir().mkpath(folder)) {
     return fail("Cannot create the folder " + folder.toStdString() + " for the catalogue.",
                 "Choose another file with File > Open catalogue.");
   }
@@ -114,9 +117,11 @@ void CatalogueEditor::poll() {
   if (!isOpen()) return;
   const Result<CatalogueChanges> changes = database_->changesAfter(last_event_);
   if (!changes) {
-    announce(changes.error());
+    // A server that is away fails each time.
+    if (!std::exchange(is_poll_failing_, true)) announce(changes.error());
     return;
   }
+  is_poll_failing_ = false;
   last_event_ = changes->last_event;
   if (!changes->changes.empty()) emit changed(*changes);
 }

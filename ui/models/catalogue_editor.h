@@ -23,8 +23,8 @@ class CatalogueEditor : public QObject {
   explicit CatalogueEditor(UndoHistory& history, QObject* parent = nullptr);
   ~CatalogueEditor() override;
 
-  /// Opens another catalogue (creates it if missing) and clears its undo steps. On failure the old one stays
-  /// open.
+  /// Opens another catalogue, a file or a server's address (creates it if missing) and clears its undo steps.
+  /// On failure the old one stays open.
   [[nodiscard]] Result<void> open(const QString& file);
   /// Closes the catalogue: there are no objects, and nothing can be changed.
   void close();
@@ -47,7 +47,8 @@ class CatalogueEditor : public QObject {
   /// The database chooses which object gets the views of the others.
   bool merge(const std::vector<ObjectId>& objects);
 
-  /// Emits changed() if any writer changed the catalogue since the last call.
+  /// Emits changed() if any writer changed the catalogue since the last call. Of several failures in a row
+  /// announces the first one.
   void poll();
   void announce(const Error& error) { emit failed(QString::fromStdString(error.message())); }
 
@@ -73,6 +74,7 @@ class CatalogueEditor : public QObject {
   std::unique_ptr<ObjectDatabase> database_;
   QString file_;
   std::int64_t last_event_ = 0;
+  bool is_poll_failing_ = false;
   UndoHistory& history_;
 };
 
