@@ -174,9 +174,7 @@ void MainWindow::showTitle(const QString& scan) {
 }
 
 void MainWindow::showProject() {
-  const Project& project = project_->project();
-  parts_.start->setProject(project_->name(),
-                           QString::fromStdString(project.catalogue.parent_path().string()));
+  parts_.start->setProject(project_->name(), project_->place());
   if (!onStartPage()) return;
   showTitle({});
   parts_.project_page->refresh();

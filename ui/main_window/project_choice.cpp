@@ -72,6 +72,11 @@ QString ProjectChoice::titleOf(const QString& place) {
   return isOnServer(place) ? place : QFileInfo(place).fileName();
 }
 
+QString ProjectChoice::place() const {
+  const QString catalogue = fromPath(project_.catalogue);
+  return isOnServer(catalogue) ? catalogue : fromPath(project_.catalogue.parent_path());
+}
+
 std::string ProjectChoice::catalogueFile() const {
   return isOnServer(fromPath(project_.catalogue)) ? defaultProject().catalogue.string()
                                                   : project_.catalogue.string();

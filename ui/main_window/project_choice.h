@@ -35,6 +35,8 @@ class ProjectChoice : public QObject {
   void showCatalogueOf(const QString& session_folder);
   [[nodiscard]] const Project& project() const { return project_; }
   [[nodiscard]] QString name() const { return QString::fromStdString(project_.name); }
+  /// The folder of the catalogue, or the address of its server.
+  [[nodiscard]] QString place() const;
   /// The catalogue's file; that of the default project if the catalogue lies on a server.
   [[nodiscard]] std::string catalogueFile() const;
   /// Folders of projects and files of catalogues that exist, and addresses of servers, the newest first.
