@@ -82,6 +82,8 @@ class CatalogueJobs {
   };
   /// Executes one job. Error: the catalogue failed, and the job must be tried again.
   [[nodiscard]] Result<Outcome> attempt(CatalogueJob& job);
+  /// Whether a failed attempt may have stored its row. Reading changes now would take the row for another's.
+  [[nodiscard]] bool isInDoubt() const { return !token_.empty(); }
   /// Changes by others since the last call.
   [[nodiscard]] Result<CatalogueEdits> readEdits() { return feed_->readEdits(); }
 

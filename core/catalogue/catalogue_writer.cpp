@@ -236,6 +236,7 @@ void CatalogueWriter::work() {
 }
 
 void CatalogueWriter::readEdits() {
+  if (executor_.isInDoubt()) return;  // they stay requested
   {
     const std::scoped_lock lock(mutex_);
     if (!std::exchange(are_changes_requested_, false)) return;

@@ -34,6 +34,33 @@ TEST(Project, HasTheNameOfItsFolder_WithoutAnother) {
   EXPECT_EQ(made->name, "kitchen");
 }
 
+TEST(Project, KeepsTheAddressOfItsServer) {
+  const TemporaryFolder folder;
+  const std::string server = "postgresql://ann@lab.example:5433/things?sslmode=require";
+  const auto made = createProject(folder / "lab", "Lab", server);
+  ASSERT_TRUE(made) << made.error().message();
+  const auto opened = openProject(folder / "lab");
+  ASSERT_TRUE(opened) << opened.error().message();
+  EXPECT_EQ(opened->catalogue.string(), server);
+  EXPECT_EQ(opened->scansFolder(), folder / "lab/scans");
+  SessionSetup setup;
+  setup.database = storedDatabaseName(server, folder / "lab/scans/first");
+  EXPECT_EQ(setup.database, server);
+  EXPECT_EQ(databaseFileOf(setup, folder / "lab/scans/first").string(), server);
+  EXPECT_EQ(projectOfCatalogue(server).catalogue.string(), server);
+}
+
+TEST(Project, IsNotCreated_WithAPasswordOrAForeignFile) {
+  const TemporaryFolder folder;
+  const auto secret = createProject(folder / "lab", "", "postgresql://ann:s3cret@lab.example/things");
+  ASSERT_FALSE(secret);
+  EXPECT_THAT(secret.error().message(), testing::Not(HasSubstr("s3cret")));
+  EXPECT_FALSE(createProject(folder / "lab", "", "other.sqlite"));
+  EXPECT_FALSE(fs::exists(folder / "lab"));
+  EXPECT_EQ(storedDatabaseName("postgresql://ann:s3cret@lab.example/things", folder / "scan"),
+            "postgresql://ann@lab.example/things");
+}
+
 TEST(Project, IsNotCreated_WhereOtherThingsAre) {
   const TemporaryFolder folder;
   folder.write("full/notes.txt", "mine");
