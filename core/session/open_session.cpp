@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "core/catalogue/object_database.h"
@@ -182,9 +181,8 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
 }
 
 void OpenSession::completePendingEdits() {
-  std::error_code ignored;
   // A missing catalogue is reported when it is needed.
-  if (!isCataloguePending(*this) || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
+  if (!isCataloguePending(*this) || !mayCatalogueExist(catalogueFileOf(*this))) return;
   if (const Result<void> applied = applyToCatalogue(*this); !applied)
     damages_.push_back("The last edits are not in the catalogue: " + applied.error().message());
 }

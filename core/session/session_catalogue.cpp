@@ -1,7 +1,6 @@
 #include "core/session/session_catalogue.h"
 
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include "core/base/first_error.h"

@@ -85,7 +85,7 @@ TEST(Project, IsRefused_WhenDamagedOrNewer) {
     ASSERT_FALSE(opened) << text;
     EXPECT_THAT(opened.error().message(), HasSubstr("p/scantrove-project.json")) << text;
   }
-  folder.write("p/scantrove-project.json", R"({"scantrove_project": 2, "name": "a"})");
+  folder.write("p/scantrove-project.json", R"({"scantrove_project": 3, "name": "a"})");
   EXPECT_THAT(openProject(folder / "p").error().message(), HasSubstr("newer version"));
 }
 
