@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/capture/open_input.h"
-#include "core/project/project.h"
+#include "core/project/opened_path.h"
 
 namespace scantrove {
 namespace {
@@ -28,16 +28,6 @@ bool readSize(const std::string& text, int& width, int& height) {
   if (first.ec != std::errc{} || first.ptr == end || *first.ptr != 'x') return false;
   const auto second = std::from_chars(first.ptr + 1, end, height);
   return second.ec == std::errc{} && second.ptr == end && width > 0 && height > 0;
-}
-
-/// A file manager opens a project by the file that makes its folder one. Empty: `source` is none.
-std::string projectOfFile(const std::filesystem::path& source) {
-  std::error_code ignored;
-  if (!source.filename().string().ends_with("project.json") ||
-      !std::filesystem::is_regular_file(source, ignored))
-    return {};
-  const std::filesystem::path folder = std::filesystem::absolute(source, ignored).parent_path();
-  return isProjectFolder(folder) ? folder.string() : std::string();
 }
 
 }  // namespace
@@ -72,12 +62,12 @@ WindowOptions WindowCommand::toOptions() const {
   options.params = request.params;
   options.project = project_;
   options.database = database_;
-  if (const std::string folder = projectOfFile(request.source); !folder.empty()) {
+  if (const OpenedPath path = recognizePath(request.source); path.kind == OpenedPath::Kind::project) {
     if (!project_.empty() || !database_.empty())
       throw CLI::ValidationError("SOURCE",
                                  "is a project. Omit --project and --database, or open something else");
     options.source.clear();
-    options.project = folder;
+    options.project = path.folder.string();
   }
   options.start_paused = paused_;
   options.present = present_;
