@@ -8,9 +8,8 @@
 namespace scantrove {
 namespace {
 
-/// `name`, or else the first free of "name 2", "name 3", ... without its own number.
+/// The first free of "name 2", "name 3", ... without the number of `name`.
 std::string freeName(const CatalogueModel& catalogue, const std::string& name) {
-  if (catalogue.named(name) == nullptr) return name;
   const std::string start = std::string(withoutNumber(name)) + ' ';
   std::set<std::string> taken;
   for (const auto& [id, object] : catalogue.objects()) {
@@ -32,14 +31,18 @@ const ObjectClass* classFor(const CatalogueModel& catalogue, const std::string& 
 
 }  // namespace
 
-Result<NameCompletion> completeName(const CatalogueModel& catalogue, std::string_view text) {
+Result<NameCompletion> completeName(const CatalogueModel& catalogue, std::string_view text, ObjectId own) {
   NameCompletion completion;
   const std::size_t slash = text.find('/');
   const bool has_class = slash != std::string_view::npos && !trimmed(text.substr(0, slash)).empty() &&
                          !trimmed(text.substr(slash + 1)).empty();
   SCANTROVE_TRY(moveInto(completion.typed, checkedLabelName(has_class ? text.substr(slash + 1) : text)));
-  SCANTROVE_TRY(moveInto(completion.name, checkedLabelName(freeName(catalogue, completion.typed))));
-  if (const ObjectState* same = catalogue.named(completion.typed)) completion.same = same->id;
+  completion.name = completion.typed;
+  const ObjectState* same = catalogue.named(completion.typed);
+  if (same != nullptr && same->id != own) {
+    completion.same = same->id;
+    SCANTROVE_TRY(moveInto(completion.name, checkedLabelName(freeName(catalogue, completion.typed))));
+  }
   const ObjectClass* known = nullptr;
   if (has_class) {
     SCANTROVE_TRY(moveInto(completion.class_name, checkedLabelName(text.substr(0, slash))));

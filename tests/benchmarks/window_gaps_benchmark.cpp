@@ -161,7 +161,8 @@ void nameRegions(MainWindow& window, GapWatch& gaps, int count) {
     if (done >= count) return true;
     regions.selection().selectBySize(true);
     if (regions.selection().selected().empty()) return true;
-    regions.nameEditor().named(QStringLiteral("named %1").arg(++done), {});
+    regions.operations().name(
+        {{regions.selection().selected().front(), {"named " + std::to_string(++done)}}});
     is_waiting = true;
     return false;
   });

@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QSettings>
 #include <QToolBar>
@@ -23,6 +24,7 @@
 #include "ui/main_window/view_actions.h"
 #include "ui/main_window/window_dialogs.h"
 #include "ui/panels/frame_panels.h"
+#include "ui/panels/object_filter_bar.h"
 #include "ui/panels/object_list_view.h"
 #include "ui/panels/object_panel.h"
 #include "ui/panels/params_panel.h"
@@ -77,7 +79,7 @@ void MainMenus::makeMenus() {
   connect(object_menu, &QMenu::aboutToHide, parts_.objects, &ObjectPanel::updateActions,
           Qt::QueuedConnection);
   object_menu->addSeparator();
-  object_menu->addAction(actions.focus_objects);
+  object_menu->addActions({parts_.objects->filterBar()->findAction(), actions.focus_objects});
 
   RegionActions& of_regions = window_.regions().actions();
   QMenu* regions = window_.menuBar()->addMenu(tr("&Regions"));
@@ -177,6 +179,11 @@ void MainMenus::connectActions() {
     window_.docks().docks().first()->show();
     parts_.objects->list()->setFocus(Qt::ShortcutFocusReason);
     if (!parts_.objects->list()->currentIndex().isValid()) parts_.objects->list()->selectNewest();
+  });
+  on(parts_.objects->filterBar()->findAction(), [this] {
+    window_.docks().docks().first()->show();
+    parts_.objects->filterBar()->search()->setFocus(Qt::ShortcutFocusReason);
+    parts_.objects->filterBar()->search()->selectAll();
   });
   on(actions.theme_system, [this] { chooseTheme(ThemeChoice::system); });
   on(actions.theme_light, [this] { chooseTheme(ThemeChoice::light); });

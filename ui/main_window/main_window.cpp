@@ -239,13 +239,7 @@ void MainWindow::connectRegions() {
   for (QWidget* bar : {static_cast<QWidget*>(proposals), static_cast<QWidget*>(parts_.next_steps)})
     bar->setFixedHeight(height);
   connect(proposals, &ProposalBar::shownChanged, parts_.next_steps, &NextStepStrip::setCovered);
-  regions_->setKnownNames([this] {
-    QStringList names;
-    for (const ObjectRecord& object : editor_.objects()) {
-      if (object.confirmed) names << QString::fromStdString(object.name);
-    }
-    return names;
-  });
+  regions_->naming().setCatalogue([this] { return editor_.catalogue(); });
   connect(parts_.time_line, &TimeLine::requested, &bridge,
           [&bridge](int index) { bridge.post(ShowKeyFrame{index}); });
 }

@@ -1,11 +1,8 @@
 #include "ui/main_window/region_controller.h"
 
-#include <QApplication>
 #include <QCursor>
-#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
-#include <QSettings>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
@@ -17,13 +14,6 @@
 #include "ui/panels/scene_overlay.h"
 
 namespace scantrove {
-namespace {
-
-const QString kRecentNamesKey = QStringLiteral("names/recent");
-constexpr int kRecentNames = 9;
-
-}  // namespace
-
 RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePanels& frames,
                                    UndoHistory& history, QWidget& window)
     : QObject(&window),
@@ -32,7 +22,7 @@ RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePa
       actions_(this),
       operations_(bridge, scene, selection_, history, window),
       splitter_(new RegionSplitter(scene, frames, selection_, this)),
-      name_editor_(new RegionNameEditor(&window)) {
+      naming_(new RegionNaming(bridge, selection_, operations_, actions_, window)) {
   connectFrames();
   connectScene();
   connectActions();
@@ -53,16 +43,10 @@ RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePa
     scene_.viewActions()->setBackground(background_);
   });
   connect(&operations_.proposals(), &RegionProposals::changed, this, &RegionController::showProposal);
-  connect(name_editor_, &RegionNameEditor::named, &operations_, &RegionOperations::nameSelection);
-  connect(&operations_, &RegionOperations::nameGiven, this, &RegionController::rememberName);
   connect(&operations_, &RegionOperations::failed, this, [this](const QString& message) {
     emit failed(message);
     splitter_->end();
   });
-  connect(name_editor_, &RegionNameEditor::closed, this, [this] {
-    if (focus_before_name_ != nullptr) focus_before_name_->setFocus(Qt::OtherFocusReason);
-  });
-  actions_.setRecentNames(QSettings().value(kRecentNamesKey).toStringList());
   updateActions();
 }
 
@@ -78,7 +62,7 @@ void RegionController::connectFrames() {
           [this](const RegionPoint& at, const QPoint& on_screen) {
             if (!at.region || splitter_->expectsStroke()) return;
             selection_.select(at.region);
-            editName(on_screen);
+            naming_->edit(on_screen);
           });
   connect(&frames_, &FramePanels::menuRequested, this, &RegionController::openMenu);
   connect(
@@ -112,7 +96,7 @@ void RegionController::connectScene() {
       return;
     }
     selection_.select(at.region);
-    editName(view->mapToGlobal(position.toPoint()));
+    naming_->edit(view->mapToGlobal(position.toPoint()));
   });
   connect(view, &SceneView::menuRequested, this,
           [this, view](const QPointF& position, const QPoint& on_screen) {
@@ -141,7 +125,7 @@ void RegionController::connectActions() {
   }
   const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
   on(actions_.name, [this] {
-    if (!splitter_->accept()) editName(last_position_);
+    if (!splitter_->accept()) naming_->edit(last_position_);
   });
   on(actions_.join, [this] { operations_.join(); });
   on(actions_.cut, [this] { splitter_->begin(); });
@@ -163,12 +147,13 @@ void RegionController::connectActions() {
   });
   on(actions_.deselect, [this] { deselect(); });
   for (QAction* action : actions_.recent)
-    on(action, [this, action] { operations_.nameSelection(action->data().toString(), {}); });
+    on(action, [this, action] { naming_->give(action->data().toString(), last_position_); });
 }
 
 void RegionController::beginScan() {
   splitter_->end();
   selection_.reset();
+  naming_->beginScan();
   operations_.beginScan();
 }
 
@@ -177,9 +162,7 @@ void RegionController::showSnapshot(const ScanSnapshot& snapshot) {
   operations_.showSnapshot(snapshot);
 }
 
-void RegionController::finishEditing() {
-  if (name_editor_->isOpen()) name_editor_->field()->clearFocus();
-}
+void RegionController::finishEditing() { naming_->finishEditing(); }
 
 void RegionController::point(const RegionPoint& at) { selection_.hover(at.region); }
 
@@ -195,7 +178,7 @@ void RegionController::click(const RegionPoint& at, Qt::KeyboardModifiers modifi
 void RegionController::openMenu(const RegionPoint& at, const QPoint& on_screen) {
   if (at.region && !selection_.isSelected(at.region)) selection_.select(at.region);
   last_position_ = on_screen;
-  auto* menu = new QMenu(name_editor_->parentWidget());
+  auto* menu = new QMenu(naming_->editor().parentWidget());
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName(QStringLiteral("regionMenu"));
   menu->setToolTipsVisible(true);
@@ -207,35 +190,6 @@ void RegionController::openMenu(const RegionPoint& at, const QPoint& on_screen) 
     recent->addAction(action);
   }
   menu->popup(on_screen);
-}
-
-void RegionController::editName(const QPoint& on_screen) {
-  if (selection_.selected().empty()) return;
-  const RegionId region = selection_.selected().front();
-  const RegionInfo* const info = selection_.info(region);
-  QString text;
-  if (info != nullptr) {
-    text = QString::fromStdString(info->name());
-    if (!info->category().empty()) text = QString::fromStdString(info->category()) + QLatin1Char('/') + text;
-  }
-  QStringList known = QSettings().value(kRecentNamesKey).toStringList();
-  if (known_names_) known += known_names_();
-  known.removeDuplicates();
-  focus_before_name_ = QApplication::focusWidget();
-  const auto count = selection_.selected().size();
-  name_editor_->begin(
-      on_screen, text, known,
-      count > 1 ? tr("Name of %1 regions").arg(count) : tr("Name of %1").arg(selection_.title(region)));
-}
-
-void RegionController::rememberName(const QString& name) {
-  QStringList names = QSettings().value(kRecentNamesKey).toStringList();
-  if (names.contains(name)) return;  // so that names keep their keys
-  names.prepend(name);
-  names = names.mid(0, kRecentNames);
-  QSettings().setValue(kRecentNamesKey, names);
-  actions_.setRecentNames(names);
-  updateActions();
 }
 
 void RegionController::connectSplitter() {

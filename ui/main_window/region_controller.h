@@ -1,7 +1,5 @@
 #pragma once
 #include <QObject>
-#include <QPointer>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,10 +7,10 @@
 
 #include "ui/common/region_point.h"
 #include "ui/main_window/region_actions.h"
+#include "ui/main_window/region_naming.h"
 #include "ui/main_window/region_operations.h"
 #include "ui/main_window/region_splitter.h"
 #include "ui/models/region_selection.h"
-#include "ui/panels/region_name_editor.h"
 
 namespace scantrove {
 
@@ -31,9 +29,8 @@ class RegionController : public QObject {
   [[nodiscard]] RegionActions& actions() { return actions_; }
   [[nodiscard]] RegionSelection& selection() { return selection_; }
   [[nodiscard]] RegionOperations& operations() { return operations_; }
-  [[nodiscard]] RegionNameEditor& nameEditor() { return *name_editor_; }
-  /// Sets the source of catalogue names for completion.
-  void setKnownNames(std::function<QStringList()> known_names) { known_names_ = std::move(known_names); }
+  [[nodiscard]] RegionNaming& naming() { return *naming_; }
+  [[nodiscard]] RegionNameEditor& nameEditor() { return naming_->editor(); }
 
   void beginScan();
   void showSnapshot(const ScanSnapshot& snapshot);
@@ -51,7 +48,6 @@ class RegionController : public QObject {
   void point(const RegionPoint& point);
   void click(const RegionPoint& point, Qt::KeyboardModifiers modifiers);
   void openMenu(const RegionPoint& point, const QPoint& on_screen);
-  void editName(const QPoint& on_screen);
   void connectSplitter();
   void deselect();
 
@@ -62,7 +58,6 @@ class RegionController : public QObject {
   void updateActions();
   [[nodiscard]] QStringList tagOf(RegionId region);
   [[nodiscard]] QString sizeOf(RegionId region);
-  void rememberName(const QString& name);
 
   void showProposal();
 
@@ -72,9 +67,7 @@ class RegionController : public QObject {
   RegionActions actions_;
   RegionOperations operations_;
   RegionSplitter* splitter_;
-  RegionNameEditor* name_editor_;
-  QPointer<QWidget> focus_before_name_;
-  std::function<QStringList()> known_names_;
+  RegionNaming* naming_;
   std::set<RegionId> background_;
   std::map<RegionId, QString> sizes_;  ///< cache, cleared when regions change
   std::optional<QPointF> pointer_in_scene_;

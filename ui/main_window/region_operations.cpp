@@ -76,33 +76,35 @@ void RegionOperations::undoNewest() { history_.undoNewest(this); }
 void RegionOperations::acceptFirst() { accept(proposals_.acceptFirst()); }
 void RegionOperations::acceptAll() { accept(proposals_.acceptAll()); }
 
-void RegionOperations::nameSelection(const QString& name, const QString& category) {
-  const std::vector<RegionId> regions = selection_.selected();
+void RegionOperations::name(const std::vector<RegionName>& names) {
+  std::vector<RegionId> regions;
+  for (const RegionName& name : names) regions.push_back(name.region);
+  const auto nameAll = [this, names] {
+    for (const RegionName& name : names) nameRegion(OperationKind::name, name);
+  };
   const std::vector<RegionId> background = backgroundAmong(regions);
-  if (name.isEmpty() || background.empty()) return nameRegions(regions, name, category);
+  if (background.empty() || names.front().given.name.empty()) return nameAll();
+  const auto named = std::ranges::find(names, background.front(), &RegionName::region);
   confirm(tr("%1 is background, which data sets omit. Make it an object with the name “%2”?")
-              .arg(selection_.title(background.front()), name),
-          tr("Make it an object"), [this, regions, background, name, category] {
+              .arg(selection_.title(background.front()), QString::fromStdString(named->given.name)),
+          tr("Make it an object"), [this, background, nameAll] {
             Operation operation;
             operation.kind = OperationKind::background;
             operation.regions = background;
             operation.on = false;
             perform(std::move(operation));
-            nameRegions(regions, name, category);
+            nameAll();
           });
 }
 
-void RegionOperations::nameRegions(const std::vector<RegionId>& regions, const QString& name,
-                                   const QString& category) {
-  for (const RegionId region : regions) {
-    Operation operation;
-    operation.kind = OperationKind::name;
-    operation.regions = {region};
-    operation.name = name.toStdString();
-    operation.category = category.toStdString();
-    perform(std::move(operation));
-  }
-  if (!name.isEmpty()) emit nameGiven(name);
+void RegionOperations::nameRegion(OperationKind kind, const RegionName& name) {
+  Operation operation;
+  operation.kind = kind;
+  operation.regions = {name.region};
+  operation.name = name.given.name;
+  operation.category = name.given.class_name;
+  perform(std::move(operation));
+  if (!name.given.name.empty()) emit nameGiven(name);
 }
 
 void RegionOperations::applyToAll(OperationKind kind, bool on) {
@@ -312,12 +314,9 @@ void RegionOperations::proposeSimilar(const Operation& naming) {
 
 void RegionOperations::accept(const std::vector<Proposal>& accepted) {
   for (const Proposal& proposal : accepted) {
-    Operation operation;
-    operation.kind = OperationKind::accept;
-    operation.regions = {proposal.region};
-    operation.name = proposal.name.toStdString();
-    operation.category = proposal.category.toStdString();
-    perform(std::move(operation));
+    const GivenName given{proposal.name.toStdString(), proposal.category.toStdString()};
+    nameRegion(OperationKind::accept,
+               {proposal.region, other_name_ ? other_name_(proposal.region, given) : given});
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/editing/operation.h"
 #include "ui/bridge/scan_bridge.h"
+#include "ui/models/region_names.h"
 #include "ui/models/region_proposals.h"
 #include "ui/models/region_selection.h"
 #include "ui/models/undo_history.h"
@@ -42,15 +43,18 @@ class RegionOperations : public QObject {
   void markSupports();
   /// Joins the selected regions; a named one is first, so that its name is used.
   void join();
-  /// Names the selected regions; asks for confirmation if one is background.
-  void nameSelection(const QString& name, const QString& category);
+  /// Names the regions, or removes their names; asks for confirmation if one is background.
+  void name(const std::vector<RegionName>& names);
+  /// Sets the source of names for similar regions: a name like the given one, for another thing.
+  using OtherName = std::function<GivenName(RegionId, const GivenName&)>;
+  void setOtherNames(OtherName other_name) { other_name_ = std::move(other_name); }
   void acceptFirst();
   void acceptAll();
   void perform(Operation operation);
   void undoNewest();
 
  signals:
-  void nameGiven(const QString& name);
+  void nameGiven(const scantrove::RegionName& name);
   /// An operation other than a split failed or could not be stored.
   void failed(const QString& message);
   /// A split failed; the region is as it was.
@@ -60,7 +64,7 @@ class RegionOperations : public QObject {
   class Command;
   friend class Command;
 
-  void nameRegions(const std::vector<RegionId>& regions, const QString& name, const QString& category);
+  void nameRegion(OperationKind kind, const RegionName& name);
   /// Runs `action` if the user confirms before the scan ends.
   void confirm(const QString& question, const QString& yes, std::function<void()> action);
   [[nodiscard]] std::vector<RegionId> backgroundAmong(const std::vector<RegionId>& regions) const;
@@ -82,6 +86,7 @@ class RegionOperations : public QObject {
   UndoHistory& history_;
   QWidget& window_;
   RegionProposals proposals_;
+  OtherName other_name_;
   std::vector<std::shared_ptr<Command>> performed_;  ///< in this scan
   QPointer<QMessageBox> confirmation_;
   int proposal_number_ = 0;  ///< of the current computation of suggestions

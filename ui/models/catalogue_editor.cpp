@@ -86,6 +86,10 @@ std::vector<ObjectRecord> CatalogueEditor::objects() {
   return isOpen() ? valueOr(database_->objects(), {}) : std::vector<ObjectRecord>();
 }
 
+CatalogueModel CatalogueEditor::catalogue() {
+  return isOpen() ? valueOr(database_->model(), CatalogueModel()) : CatalogueModel();
+}
+
 Result<std::optional<ObjectRecord>> CatalogueEditor::mergeRootOf(ObjectId object) {
   std::optional<ObjectRecord> record;
   if (!isOpen()) return record;

@@ -34,6 +34,8 @@ class CatalogueEditor : public QObject {
   [[nodiscard]] std::vector<ObjectRecord> objects();
   /// None if it was deleted or merged into another.
   [[nodiscard]] Result<std::optional<ObjectRecord>> object(ObjectId object);
+  /// The states of all objects and classes; empty without a catalogue.
+  [[nodiscard]] CatalogueModel catalogue();
   /// Thumbnail with dimmed surroundings; null if there is none.
   [[nodiscard]] QImage picture(ObjectId object);
   /// Thumbnails of all views of the object, newest first.
@@ -47,6 +49,10 @@ class CatalogueEditor : public QObject {
   /// The database chooses which object gets the views of the others.
   bool merge(const std::vector<ObjectId>& objects);
 
+  using Action = std::function<Result<void>(ObjectDatabase&)>;
+  /// Runs `action`; on success adds it with its inverse to the history.
+  bool perform(const QString& text, const Action& action, const Action& inverse);
+
   /// Emits changed() if any writer changed the catalogue since the last call. Of several failures in a row
   /// announces the first one.
   void poll();
@@ -59,12 +65,9 @@ class CatalogueEditor : public QObject {
   void failed(const QString& message);
 
  private:
-  using Action = std::function<Result<void>(ObjectDatabase&)>;
   class Command;
   friend class Command;
 
-  /// Runs `action`; on success adds it with its inverse to the history.
-  bool perform(const QString& text, const Action& action, const Action& inverse);
   /// False if it failed; failed() was emitted.
   bool run(const Action& action);
   [[nodiscard]] Result<std::optional<ObjectRecord>> mergeRootOf(ObjectId object);

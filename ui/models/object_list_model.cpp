@@ -41,18 +41,20 @@ int ObjectListModel::rowCount(const QModelIndex& parent) const {
 
 QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const ObjectRecord& record = rows_[static_cast<std::size_t>(index.row())];
+  const Row& row = rows_[static_cast<std::size_t>(index.row())];
+  const ObjectRecord& record = row.record;
   switch (role) {
     case Qt::DisplayRole:
       return QString::fromStdString(record.name);
     case Qt::DecorationRole:
       return picture(record.id);
     case Qt::AccessibleTextRole:
-      return tr("%1, %2, %3")
-          .arg(QString::fromStdString(record.name), record.confirmed ? tr("confirmed") : tr("not confirmed"),
-               viewsInWords(record.views));
+      return tr("%1, %2, %3, %4")
+          .arg(QString::fromStdString(record.name),
+               row.class_name.isEmpty() ? tr("no class") : tr("class %1").arg(row.class_name),
+               record.confirmed ? tr("confirmed") : tr("not confirmed"), viewsInWords(record.views));
     case Qt::ToolTipRole:
-      return toolTip(record);
+      return toolTip(row);
     case ObjectIdRole:
       return record.id.value;
     case ConfirmedRole:
@@ -66,7 +68,11 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     case RecognizedRole:
       return isRecognized(record.id);
     case AddedNowRole:
-      return added_.contains(record.id);
+      return added_.contains(record.id) && !isSettled(record);
+    case ClassNameRole:
+      return row.class_name;
+    case ClassColorRole:
+      return row.class_color.isValid() ? QVariant(row.class_color) : QVariant();
     case SeenSidesRole: {
       const auto sides = seen_sides_.find(record.id);
       return sides == seen_sides_.end() ? QVariant() : QVariant::fromValue(sides->second);
@@ -76,14 +82,17 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-QString ObjectListModel::toolTip(const ObjectRecord& record) const {
+QString ObjectListModel::toolTip(const Row& row) const {
+  const ObjectRecord& record = row.record;
   const auto sides = seen_sides_.find(record.id);
-  return tr("<b>%1</b><br>%2, %3<br>%4First seen in: %5<br>%6")
+  const QString class_line =
+      row.class_name.isEmpty() ? QString() : tr("Class: %1<br>").arg(row.class_name.toHtmlEscaped());
+  return tr("<b>%1</b><br>%7%2, %3<br>%4First seen in: %5<br>%6")
       .arg(
           QString::fromStdString(record.name).toHtmlEscaped(), sizeText(record), viewsInWords(record.views),
           sides == seen_sides_.end() ? QString() : tr("In this scan %1<br>").arg(sidesInWords(sides->second)),
           QString::fromStdString(record.first_session_name).toHtmlEscaped(),
-          record.confirmed ? tr("Confirmed") : tr("Not confirmed: F2 renames, Return confirms"));
+          record.confirmed ? tr("Confirmed") : tr("Not confirmed: F2 renames, Return confirms"), class_line);
 }
 
 QImage ObjectListModel::picture(ObjectId object) const {
@@ -95,12 +104,33 @@ QImage ObjectListModel::picture(ObjectId object) const {
 
 void ObjectListModel::readAll() {
   beginResetModel();
-  rows_ = editor_.objects();
-  std::sort(rows_.begin(), rows_.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  classes_ = editor_.catalogue().classes();
+  rows_.clear();
+  for (ObjectRecord& record : editor_.objects()) rows_.push_back(rowFor(std::move(record)));
+  std::sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return a.record.id < b.record.id; });
   confirmed_count_ = static_cast<int>(
-      std::count_if(rows_.begin(), rows_.end(), [](const ObjectRecord& row) { return row.confirmed; }));
+      std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.record.confirmed; }));
   pictures_.clear();
   endResetModel();
+}
+
+ObjectListModel::Row ObjectListModel::rowFor(ObjectRecord record) const {
+  Row row;
+  row.name_key = QString::fromStdString(record.name).toLower();
+  if (const ObjectClass* own = classes_.rootOf(record.classification.class_id)) {
+    row.class_id = own->id;
+    row.class_name = QString::fromStdString(own->name);
+    row.class_key = row.class_name.toLower();
+    row.class_color = QColor(own->color[0], own->color[1], own->color[2]);
+  }
+  row.record = std::move(record);
+  return row;
+}
+
+void ObjectListModel::updateClasses() {
+  classes_ = editor_.catalogue().classes();
+  for (Row& row : rows_) row = rowFor(std::move(row.record));
+  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1), {ClassNameRole, ClassColorRole});
 }
 
 void ObjectListModel::applyChanges(const CatalogueChanges& changes) {
@@ -111,6 +141,8 @@ void ObjectListModel::applyChanges(const CatalogueChanges& changes) {
     if (change.mergeTarget()) touched.insert(change.mergeTarget());
   }
   emit aboutToUpdate();
+  if (std::ranges::any_of(changes.changes, [](const auto& change) { return change.of_class.has_value(); }))
+    updateClasses();
   std::vector<ObjectId> removed;
   for (const ObjectId object : touched) {
     pictures_.remove(object.value);
@@ -136,15 +168,15 @@ void ObjectListModel::insertOrUpdate(ObjectRecord record) {
   const auto position = positionOf(record.id);
   const auto row = position - rows_.cbegin();
   confirmed_count_ += record.confirmed ? 1 : 0;
-  if (position != rows_.cend() && position->id == record.id) {
-    confirmed_count_ -= position->confirmed ? 1 : 0;
+  if (position != rows_.cend() && position->record.id == record.id) {
+    confirmed_count_ -= position->record.confirmed ? 1 : 0;
     const ObjectId object = record.id;
-    rows_[static_cast<std::size_t>(row)] = std::move(record);
+    rows_[static_cast<std::size_t>(row)] = rowFor(std::move(record));
     emitRow(object, {});
     return;
   }
   beginInsertRows({}, static_cast<int>(row), static_cast<int>(row));
-  rows_.insert(position, std::move(record));
+  rows_.insert(position, rowFor(std::move(record)));
   endInsertRows();
 }
 
@@ -152,7 +184,7 @@ void ObjectListModel::removeObject(ObjectId object) {
   const QModelIndex index = indexOf(object);
   if (!index.isValid()) return;
   const auto position = positionOf(object);
-  confirmed_count_ -= position->confirmed ? 1 : 0;
+  confirmed_count_ -= position->record.confirmed ? 1 : 0;
   beginRemoveRows({}, index.row(), index.row());
   rows_.erase(position);
   endRemoveRows();
@@ -204,28 +236,27 @@ void ObjectListModel::setSeenSides(std::map<ObjectId, SeenSides> sides) {
 
 ObjectId ObjectListModel::objectAt(const QModelIndex& index) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  return rows_[static_cast<std::size_t>(index.row())].id;
+  return rows_[static_cast<std::size_t>(index.row())].record.id;
 }
 
 ObjectListModel::Rows::const_iterator ObjectListModel::positionOf(ObjectId object) const {
   return std::lower_bound(rows_.begin(), rows_.end(), object,
-                          [](const ObjectRecord& row, ObjectId requested) { return row.id < requested; });
+                          [](const Row& row, ObjectId requested) { return row.record.id < requested; });
 }
 
 QModelIndex ObjectListModel::indexOf(ObjectId object) const {
   const auto position = positionOf(object);
-  if (position == rows_.end() || position->id != object) return {};
+  if (position == rows_.end() || position->record.id != object) return {};
   return index(static_cast<int>(position - rows_.begin()));
 }
 
 const ObjectRecord* ObjectListModel::record(ObjectId object) const {
   const QModelIndex index = indexOf(object);
-  return index.isValid() ? &rows_[static_cast<std::size_t>(index.row())] : nullptr;
+  return index.isValid() ? &rows_[static_cast<std::size_t>(index.row())].record : nullptr;
 }
 
-int ObjectListModel::addedAfter(ObjectId object) const {
-  return static_cast<int>(std::count_if(added_.upper_bound(object), added_.end(),
-                                        [this](ObjectId added) { return indexOf(added).isValid(); }));
+bool ObjectListModel::isInScan(ObjectId object) const {
+  return seen_sides_.contains(object) || added_.contains(object) || recognized_.contains(object);
 }
 
 void ObjectListModel::emitRow(ObjectId object, const QList<int>& roles) {

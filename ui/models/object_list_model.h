@@ -1,11 +1,13 @@
 #pragma once
 #include <QAbstractListModel>
 #include <QCache>
+#include <QColor>
 #include <QImage>
 #include <map>
 #include <set>
 #include <vector>
 
+#include "core/catalogue/class_table.h"
 #include "core/geometry/view_coverage.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/models/catalogue_editor.h"
@@ -26,8 +28,20 @@ class ObjectListModel : public QAbstractListModel {
     SizeTextRole,    ///< "12×9×8 cm"
     InViewRole,      ///< seen in the frame shown now
     RecognizedRole,  ///< known before this scan and recognised in it
-    AddedNowRole,    ///< added by this scan
+    AddedNowRole,    ///< added by this scan, and not named or confirmed by a user
     SeenSidesRole,   ///< SeenSides in this scan; invalid: not in this scan
+    ClassNameRole,   ///< empty: not classified
+    ClassColorRole,  ///< invalid: not classified
+  };
+
+  /// A row, as the filter needs it.
+  struct Row {
+    ObjectRecord record;
+    ClassId class_id;    ///< merge root of its class; none: not classified
+    QString class_name;  ///< empty: not classified
+    QColor class_color;  ///< invalid: not classified
+    QString name_key;    ///< lower case
+    QString class_key;   ///< lower case
   };
 
   explicit ObjectListModel(CatalogueEditor& editor, QObject* parent = nullptr);
@@ -45,10 +59,15 @@ class ObjectListModel : public QAbstractListModel {
   [[nodiscard]] ObjectId objectAt(const QModelIndex& index) const;
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
+  /// All rows, by ascending id.
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+  [[nodiscard]] bool isInView(ObjectId object) const { return in_view_.contains(object); }
+  /// Added or recognised by this scan, or seen in it.
+  [[nodiscard]] bool isInScan(ObjectId object) const;
+  /// Objects that this scan added, ascending.
+  [[nodiscard]] const std::set<ObjectId>& added() const { return added_; }
   /// Known before this scan and recognised in it.
   [[nodiscard]] bool isRecognized(ObjectId object) const { return recognized_.contains(object); }
-  /// Number of objects that this scan added after that row.
-  [[nodiscard]] int addedAfter(ObjectId object) const;
   [[nodiscard]] int confirmedCount() const { return confirmed_count_; }
 
  signals:
@@ -58,18 +77,22 @@ class ObjectListModel : public QAbstractListModel {
   void merged(scantrove::ObjectId into, scantrove::ObjectId from);
 
  private:
-  using Rows = std::vector<ObjectRecord>;  ///< by ascending id
+  using Rows = std::vector<Row>;
 
   void readAll();
   void applyChanges(const CatalogueChanges& changes);
+  [[nodiscard]] Row rowFor(ObjectRecord record) const;
   void insertOrUpdate(ObjectRecord record);
+  /// Reads the classes again.
+  void updateClasses();
   void removeObject(ObjectId object);
   [[nodiscard]] Rows::const_iterator positionOf(ObjectId object) const;
   void emitRow(ObjectId object, const QList<int>& roles);
   [[nodiscard]] QImage picture(ObjectId object) const;
-  [[nodiscard]] QString toolTip(const ObjectRecord& record) const;
+  [[nodiscard]] QString toolTip(const Row& row) const;
 
   CatalogueEditor& editor_;
+  ClassTable classes_;
   Rows rows_;
   int confirmed_count_ = 0;
   mutable QCache<std::uint32_t, QImage> pictures_;  ///< cost in bytes

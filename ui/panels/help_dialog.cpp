@@ -52,6 +52,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Ctrl+W"), tr("Close scan"));
   heading(tr("Objects (with the list in focus)"));
   line(tr("Ctrl+L"), tr("Go to the object list"));
+  line(tr("Ctrl+F"), tr("Find an object by name or class"));
   line(tr("F2"), tr("Rename"));
   line(tr("Return"), tr("Confirm, unconfirm"));
   line(tr("Del"), tr("Delete"));
@@ -63,6 +64,8 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Tab, Shift+Tab"), tr("Next and previous region by size"));
   line(tr("Return, double click"), tr("Name the region"));
   line(tr("1 … 9"), tr("Give it a recent name"));
+  line(tr("Return, Shift+Return, Tab while naming"),
+       tr("If another object has the name: another one; the same one; choose"));
   line(tr("J"), tr("Join"));
   line(tr("C, then two strokes or clicks"), tr("Split: draw over one part, then over the other"));
   line(tr("C, then one stroke or click, Return"), tr("Split off what has other colours around it"));

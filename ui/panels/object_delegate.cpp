@@ -65,7 +65,7 @@ void paintTag(QPainter* painter, const QPoint& top_left, const QFont& font, cons
   painter->drawText(chip, Qt::AlignCenter, text);
 }
 
-/// Paints name, views and size, and below them a tag if the object is new or known; centred in `room`.
+/// Paints name, class, views and size, and below them a tag if the object is new or known; centred in `room`.
 void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem& option,
                 const QModelIndex& index) {
   const ThemeColors& colors = Theme::instance().colors();
@@ -85,10 +85,23 @@ void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem
   QRect rest = room.adjusted(0, std::max(0, (room.height() - all) / 2), 0, 0);
   rest.setTop(paintLine(painter, rest, bold, index.data(Qt::DisplayRole).toString()).bottom() + kLineGap + 1);
   painter->setPen(colors.muted_text);
-  const QString details =
-      QStringLiteral("%1 · %2").arg(viewsInWords(index.data(ObjectListModel::ViewCountRole).toInt()),
-                                    index.data(ObjectListModel::SizeTextRole).toString());
-  rest.setTop(paintLine(painter, rest, small, details).bottom() + 3);
+  QStringList details;
+  const QString class_name = index.data(ObjectListModel::ClassNameRole).toString();
+  if (!class_name.isEmpty()) {
+    const int dot = QFontMetrics(small).ascent() / 2;
+    const QRect square(rest.left(), rest.top() + (QFontMetrics(small).height() - dot) / 2, dot, dot);
+    painter->save();
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(index.data(ObjectListModel::ClassColorRole).value<QColor>());
+    painter->drawEllipse(square);
+    painter->restore();
+    rest.setLeft(square.right() + 4);
+    details << class_name;
+  }
+  details << viewsInWords(index.data(ObjectListModel::ViewCountRole).toInt())
+          << index.data(ObjectListModel::SizeTextRole).toString();
+  rest.setTop(paintLine(painter, rest, small, details.join(QStringLiteral(" · "))).bottom() + 3);
+  rest.setLeft(room.left());
   if (tagged) {
     paintTag(painter, rest.topLeft(), tag_font,
              recognized ? ObjectDelegate::tr("known") : ObjectDelegate::tr("new"),

@@ -3,7 +3,7 @@
 
 namespace scantrove {
 
-/// Paints one row of the object list: picture, name, size, number of views and state.
+/// Paints one row of the object list: picture, name, class, number of views, size and state.
 class ObjectDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/models/object_filter.h"
 #include "ui/models/object_list_model.h"
 #include "ui/panels/name_editor.h"
 #include "ui/panels/object_delegate.h"
@@ -16,8 +17,8 @@ constexpr int kMinHeight_px = 60;
 }
 
 ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, QWidget* parent)
-    : QListView(parent), model_(model), name_editor_(nullptr) {
-  setModel(&model_);
+    : QListView(parent), model_(model), filter_(new ObjectFilter(model, this)), name_editor_(nullptr) {
+  setModel(filter_);
   setProperty("panel", true);
   setItemDelegate(new ObjectDelegate(this));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -35,17 +36,38 @@ ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, 
   connect(verticalScrollBar(), &QAbstractSlider::valueChanged, this, &ObjectListView::newBelowChanged);
   name_editor_ = new NameEditor(*this, editor, model);
   connect(this, &QAbstractItemView::doubleClicked, this,
-          [this](const QModelIndex& row) { editName(model_.objectAt(row)); });
+          [this](const QModelIndex& row) { editName(filter_->objectAt(row)); });
 }
 
 std::vector<ObjectId> ObjectListView::selection() const {
   std::vector<ObjectId> objects;
-  for (const QModelIndex& row : selectionModel()->selectedIndexes()) objects.push_back(model_.objectAt(row));
+  for (const QModelIndex& row : selectionModel()->selectedIndexes())
+    objects.push_back(filter_->objectAt(row));
   std::sort(objects.begin(), objects.end());
   return objects;
 }
 
-void ObjectListView::selectNewest() { setCurrentIndex(model_.index(model_.rowCount() - 1)); }
+QModelIndex ObjectListView::rowOf(ObjectId object) const { return filter_->indexOf(object); }
+
+void ObjectListView::select(const std::vector<ObjectId>& objects) {
+  QItemSelection rows;
+  QModelIndex first;
+  for (const ObjectId object : objects) {
+    const QModelIndex row = rowOf(object);
+    if (!row.isValid()) continue;
+    rows.select(row, row);
+    if (!first.isValid() || row.row() < first.row()) first = row;
+  }
+  selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+  if (!first.isValid()) return;
+  selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+  scrollTo(first);
+}
+
+void ObjectListView::selectNewest() {
+  const QModelIndex newest = rowOf(model_.objectAt(model_.index(model_.rowCount() - 1)));
+  setCurrentIndex(newest.isValid() ? newest : filter_->index(0, 0));
+}
 
 void ObjectListView::editName(ObjectId object) { name_editor_->begin(object); }
 
@@ -59,8 +81,9 @@ bool ObjectListView::isUsed() const {
 }
 
 int ObjectListView::newBelow() const {
+  if (filter_->order() != ObjectFilter::Order::oldest) return 0;
   const QModelIndex last = indexAt(QPoint(viewport()->width() / 2, viewport()->height() - 1));
-  return last.isValid() ? model_.addedAfter(model_.objectAt(last)) : 0;
+  return last.isValid() ? filter_->addedBelow(last.row()) : 0;
 }
 
 void ObjectListView::storeScrollPosition() {
@@ -71,9 +94,9 @@ void ObjectListView::storeScrollPosition() {
   };
   add(indexAt(viewport()->mapFromGlobal(QCursor::pos())));
   const QModelIndex first = indexAt(QPoint(viewport()->width() / 2, 1));
-  for (int row = first.row(); first.isValid() && row < model_.rowCount(); ++row) {
-    if (visualRect(model_.index(row)).top() >= viewport()->height()) break;
-    add(model_.index(row));
+  for (int row = first.row(); first.isValid() && row < filter_->rowCount(); ++row) {
+    if (visualRect(filter_->index(row, 0)).top() >= viewport()->height()) break;
+    add(filter_->index(row, 0));
   }
 }
 
@@ -83,13 +106,13 @@ void ObjectListView::restoreScrollPosition() {
     verticalScrollBar()->setValue(verticalScrollBar()->value() + visualRect(row).top() - top);
     break;
   }
-  if (was_at_end_ && !isUsed()) scrollToBottom();
+  if (was_at_end_ && !isUsed() && filter_->order() == ObjectFilter::Order::oldest) scrollToBottom();
   emit newBelowChanged();
 }
 
 void ObjectListView::moveSelection(ObjectId into, ObjectId from) {
-  const QModelIndex removed_row = model_.indexOf(from);
-  const QModelIndex target_row = model_.indexOf(into);
+  const QModelIndex removed_row = rowOf(from);
+  const QModelIndex target_row = rowOf(into);
   if (!target_row.isValid() || !selectionModel()->isSelected(removed_row)) return;
   const bool is_current = currentIndex() == removed_row;
   selectionModel()->select(target_row, QItemSelectionModel::Select);

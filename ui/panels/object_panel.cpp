@@ -12,9 +12,11 @@
 #include <algorithm>
 
 #include "core/project/project.h"
+#include "ui/models/object_filter.h"
 #include "ui/models/object_list_model.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/empty_note.h"
+#include "ui/panels/object_filter_bar.h"
 #include "ui/panels/object_list_view.h"
 #include "ui/panels/views_strip.h"
 #include "ui/theme/icon.h"
@@ -27,7 +29,8 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
       model_(model),
       pages_(new QStackedWidget),
       list_(new ObjectListView(editor, model)),
-      menu_(new QMenu(this)) {
+      menu_(new QMenu(this)),
+      filter_bar_(new ObjectFilterBar(model, list_->filter())) {
   makeActions();
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   menu_->addActions({actions_.rename, actions_.confirm, actions_.merge, actions_.remove});
@@ -39,6 +42,9 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   pages_->addWidget(new EmptyNote(
       QStringLiteral("cube"), tr("No objects yet"),
       tr("Objects that a scan discovers appear here,\nwith their views, to name and confirm.")));
+  pages_->addWidget(new EmptyNote(QStringLiteral("cube"), tr("No object matches"),
+                                  tr("The search or the filter hides all objects.\nEscape in the search "
+                                     "field clears it.")));
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 0, 4, 6);
@@ -48,6 +54,7 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   catalogue_->setContentsMargins(8, 0, 4, 0);
   layout->addWidget(catalogue_);
   layout->addWidget(makeHead());
+  layout->addWidget(filter_bar_);
   layout->addWidget(pages_, 1);
   layout->addWidget(makeDetails());
 
@@ -61,7 +68,20 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   connect(&model_, &QAbstractItemModel::modelReset, this, update);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ObjectPanel::updateSelection);
+  connectFilter();
   update();
+}
+
+void ObjectPanel::connectFilter() {
+  // The list shows other rows.
+  connect(&list_->filter(), &QAbstractItemModel::layoutChanged, this, [this] {
+    updateCounts();
+    updateSelection();
+  });
+  connect(filter_bar_, &ObjectFilterBar::listWanted, this, [this] {
+    list_->setFocus(Qt::OtherFocusReason);
+    if (list_->selection().empty()) list_->setCurrentIndex(list_->filter().index(0, 0));
+  });
 }
 
 QWidget* ObjectPanel::makeHead() {
@@ -148,10 +168,16 @@ void ObjectPanel::updateCatalogue() {
 }
 
 void ObjectPanel::updateCounts() {
+  constexpr int kList = 0, kNoObjects = 1, kNoMatch = 2;
   const int all = model_.rowCount();
-  pages_->setCurrentIndex(all == 0 ? 1 : 0);
+  const int listed = list_->filter().rowCount();
+  pages_->setCurrentIndex(all == 0 ? kNoObjects : (listed == 0 ? kNoMatch : kList));
   count_->setFullText(all == 0 ? QString()
-                               : tr("%1 objects, %2 confirmed").arg(all).arg(model_.confirmedCount()));
+                               : tr("%1 of %2 named, %3 confirmed")
+                                     .arg(list_->filter().namedCount())
+                                     .arg(listed)
+                                     .arg(list_->filter().confirmedCount()));
+  filter_bar_->setVisible(all > 0);
   details_->setVisible(all > 0);
 }
 

@@ -13,11 +13,13 @@ namespace scantrove {
 
 class CatalogueEditor;
 class ElidedLabel;
+class ObjectFilterBar;
 class ObjectListModel;
 class ObjectListView;
 class ViewsStrip;
 
-/// The catalogue: the list of objects, and below it the views of the selected one.
+/// The catalogue: the list of objects with search, filter and order, and below it the views of the selected
+/// one.
 class ObjectPanel : public QWidget {
   Q_OBJECT
 
@@ -33,6 +35,9 @@ class ObjectPanel : public QWidget {
   };
   [[nodiscard]] const Actions& actions() const { return actions_; }
   [[nodiscard]] ObjectListView* list() const { return list_; }
+  [[nodiscard]] ObjectFilterBar* filterBar() const { return filter_bar_; }
+  /// "7 of 19 named", and how many are confirmed.
+  [[nodiscard]] const ElidedLabel* countLabel() const { return count_; }
   /// Label with the file of the catalogue, above the list.
   [[nodiscard]] const ElidedLabel* catalogueLabel() const { return catalogue_; }
   [[nodiscard]] ViewsStrip* viewsStrip() const { return strip_; }
@@ -50,6 +55,7 @@ class ObjectPanel : public QWidget {
   QWidget* makeHead();
   void makeActions();
   QWidget* makeDetails();
+  void connectFilter();
   void updateCatalogue();
   void updateCounts();
   void updateSelection();
@@ -61,6 +67,7 @@ class ObjectPanel : public QWidget {
   QStackedWidget* pages_;
   ObjectListView* list_;
   QMenu* menu_;
+  ObjectFilterBar* filter_bar_;
   ElidedLabel* catalogue_ = nullptr;
   ElidedLabel* count_ = nullptr;
   QToolButton* to_newest_ = nullptr;

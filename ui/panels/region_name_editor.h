@@ -3,42 +3,64 @@
 #include <QString>
 #include <QStringList>
 
+#include "ui/models/typed_name.h"
+
 class QLabel;
 class QLineEdit;
 class QStringListModel;
 
 namespace scantrove {
 
-/// A field beside the pointer for naming the selected regions: "red cup", or "cup/red cup" with a category.
-/// Completes known names. Return or leaving the field with a changed text applies the name; Escape cancels.
-/// Not affected by the running scan.
+class SameNameChoice;
+
+/// A field beside the pointer for naming the selected regions: "red cup", or "cup/red cup" with a class.
+/// Completes known names and shows the class. If another object has the name, it offers two answers
+/// (SameNameChoice). Return or leaving the field with a changed text applies the name, as another object
+/// unless the user answers otherwise; Escape cancels. Not affected by the running scan.
 class RegionNameEditor : public QFrame {
   Q_OBJECT
 
  public:
   explicit RegionNameEditor(QWidget* parent);
 
-  /// Opens beside `on_screen`. `known`: names for completion.
-  void begin(const QPoint& on_screen, const QString& text, const QStringList& known, const QString& about);
+  /// What is edited.
+  struct Begin {
+    QPoint on_screen;  ///< it opens beside this place
+    QString text;
+    QStringList known;  ///< names for completion
+    QString about;
+    NameCheck check;
+  };
+  void begin(Begin what);
+  /// As if the user had typed this.
+  void type(const QString& text);
   [[nodiscard]] bool isOpen() const { return isVisible(); }
   [[nodiscard]] QLineEdit* field() const { return field_; }
+  [[nodiscard]] SameNameChoice* choice() const { return choice_; }
 
  signals:
-  /// An empty name removes the name.
-  void named(const QString& name, const QString& category);
+  /// An empty text removes the name.
+  void accepted(const QString& text, scantrove::TypedName::Answer answer);
   void closed();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void finish();
+  void showClass(const QString& text);
+  void place();
+  [[nodiscard]] TypedName::Answer answerOf(Qt::KeyboardModifiers modifiers) const;
+  void finish(TypedName::Answer answer);
   void cancel();
 
   QLabel* about_;
   QLineEdit* field_;
+  QLabel* class_;
+  SameNameChoice* choice_;
   QStringListModel* known_;
   QString before_;
+  QPoint on_screen_;
+  NameCheck check_;
 };
 
 }  // namespace scantrove

@@ -76,11 +76,13 @@ TEST_F(PointingTest, TypedNameIsKept_WhileFramesArrive) {
   EXPECT_EQ(lastOperation()->name, "hammer j");
   EXPECT_EQ(lastOperation()->category, "tool");
   EXPECT_FALSE(nameField()->isVisible());
-  // The digit 1 repeats the newest name.
+  // The digit 1 gives the newest name: here to another thing.
   clickPicture(0, 0.8);
   QTest::keyClick(panel(0), Qt::Key_1);
+  EXPECT_EQ(worker_->edits.size(), 1U) << "region 5 has the name";
+  QTest::keyClick(nameField(), Qt::Key_Return);
   EXPECT_EQ(worker_->edits.size(), 2U);
-  EXPECT_EQ(lastOperation()->name, "hammer j");
+  EXPECT_EQ(lastOperation()->name, "hammer j 2");
   EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{7}});
 }
 

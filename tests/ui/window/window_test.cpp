@@ -86,7 +86,7 @@ TEST_F(WindowTest, RefusedNameIsReported_AndTheOldOneKept) {
   QTest::keyClick(list(), Qt::Key_F2);
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
-  QTest::keyClicks(nameEditor(), QStringLiteral("Obj_1"));
+  QTest::keyClicks(nameEditor(), QStringLiteral("12"));  // a number is no name
   QTest::keyClick(nameEditor(), Qt::Key_Return);
   EXPECT_TRUE(window_->parts().messages->isVisible());
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");

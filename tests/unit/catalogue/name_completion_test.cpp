@@ -89,6 +89,17 @@ TEST_F(NameCompletionTest, OffersTheClassOfTheObjectThatHasTheName) {
   EXPECT_EQ(words("chair"), "chair 2 / chair") << "a class of that name comes first";
 }
 
+TEST_F(NameCompletionTest, NameOfTheObjectItselfIsFree) {
+  const ObjectId chair = addObject("chair", addClass("seat"));
+  addObject("table");
+  const Result<NameCompletion> own = completeName(model_, "stool/chair", chair);
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->name, "chair");
+  EXPECT_EQ(own->class_name, "stool");
+  EXPECT_FALSE(own->same);
+  EXPECT_EQ(completeName(model_, "table", chair)->name, "table 2");
+}
+
 TEST_F(NameCompletionTest, IgnoresHiddenObjectsAndClasses) {
   const ClassId chair = addClass("chair");
   const ObjectId object = addObject("chair", chair);
