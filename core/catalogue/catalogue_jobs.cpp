@@ -158,7 +158,8 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Merge& job) {
       if (has_changed) return fail("Others have changed it.");
       const Result<bool> may_merge = mayMerge(*pair);
       if (!may_merge) return fail(may_merge.error());
-      are_two = !*may_merge;
+      // A user who joins regions may merge what the program may not.
+      are_two = job.join == 0 && !*may_merge;
       return are_two ? Result<void>(fail("They are two.")) : Result<void>();
     };
     Result<ObjectMerge> merge = database_->merge(*pair, check);
@@ -167,6 +168,7 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Merge& job) {
     if (!merge) return fail(merge.error());
     touched_.insert(merge->into);
     feed_->expectMerge(*merge);
+    if (job.join != 0) joined_[job.join].push_back(*merge);
     const Result<ObjectRecord> root = database_->object(merge->into);
     return Events{event::MergeStored{std::move(*merge), root ? std::optional(*root) : std::nullopt}};
   }
@@ -175,6 +177,26 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Merge& job) {
   Result<CatalogueEdits> now = feed_->reread(*pair);
   if (!now) return fail(now.error());
   return Events{event::MergeDropped{}, event::Edited{std::move(*now)}};
+}
+
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Part& job) {
+  const auto found = joined_.find(job.join);
+  const std::vector<ObjectMerge>& merges = found != joined_.end() ? found->second : job.earlier;
+  std::vector<ObjectId> changed;
+  for (auto merge = merges.rbegin(); merge != merges.rend(); ++merge) {
+    const Result<ObjectId> root = database_->mergeRoot(merge->from.front());
+    if (!root) return fail(root.error());
+    changed.push_back(merge->into);
+    changed.insert(changed.end(), merge->from.begin(), merge->from.end());
+    // Others may have separated or deleted them since.
+    if (*root == merge->into) SCANTROVE_TRY(database_->unmerge(*merge));
+  }
+  if (found != joined_.end()) joined_.erase(found);
+  if (changed.empty()) return Events{};
+  touched_.insert(changed.begin(), changed.end());
+  Result<CatalogueEdits> now = feed_->reread(changed);
+  if (!now) return Events{};
+  return Events{event::Edited{std::move(*now)}};
 }
 
 Result<std::vector<ObjectId>> CatalogueJobs::mergeRootsOf(const job::Merge& job) {

@@ -31,6 +31,11 @@ struct AddView {
 };
 struct Merge {
   ObjectId a, b;
+  int join = 0;  ///< a user's join of their regions; 0: the scan found that they are one
+};
+struct Part {
+  int join = 0;
+  std::vector<ObjectMerge> earlier;  ///< its merges, if an earlier scan made them
 };
 struct Name {
   int naming = 0;
@@ -52,8 +57,9 @@ struct DiscardViews {
 struct EndSession {};
 }  // namespace job
 
-using CatalogueJob = std::variant<job::BeginSession, job::AddObject, job::AddView, job::Merge, job::Name,
-                                  job::RevertNaming, job::Withdraw, job::DiscardViews, job::EndSession>;
+using CatalogueJob =
+    std::variant<job::BeginSession, job::AddObject, job::AddView, job::Merge, job::Part, job::Name,
+                 job::RevertNaming, job::Withdraw, job::DiscardViews, job::EndSession>;
 
 /// Executes a scan's jobs in the catalogue over its own connection: the database part of CatalogueWriter.
 /// One thread, the writer's, from open() to close().
@@ -98,6 +104,7 @@ class CatalogueJobs {
   [[nodiscard]] Result<Events> execute(job::AddObject& job);
   [[nodiscard]] Result<Events> execute(job::AddView& job);
   [[nodiscard]] Result<Events> execute(const job::Merge& job);
+  [[nodiscard]] Result<Events> execute(const job::Part& job);
   [[nodiscard]] Result<Events> execute(const job::Name& job);
   [[nodiscard]] Result<Events> execute(const job::RevertNaming& job);
   [[nodiscard]] Result<Events> execute(const job::Withdraw& job);
@@ -123,9 +130,10 @@ class CatalogueJobs {
   std::string token_;  // of the job in progress; empty: none is needed yet
   std::int64_t session_ = 0;
   std::int64_t last_event_ = 0;
-  std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused
-  std::set<ObjectId> touched_;                   // objects that this scan changed
-  std::map<int, ObjectNaming> namings_;          // by their numbers
+  std::map<ObjectId, ObjectId> ids_;                // of this scan's objects, by key; none: refused
+  std::set<ObjectId> touched_;                      // objects that this scan changed
+  std::map<int, ObjectNaming> namings_;             // by their numbers
+  std::map<int, std::vector<ObjectMerge>> joined_;  // merges of users' joins, by their numbers
   std::set<int> overruled_;                      // could not be reverted, because others changed them since
   std::optional<std::pair<dev_t, ino_t>> file_;  // none: the catalogue is not a file
 };

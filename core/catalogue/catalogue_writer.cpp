@@ -105,9 +105,14 @@ void CatalogueWriter::addView(ObjectView view) {
   enqueue(job::AddView{std::move(view)});
 }
 
-void CatalogueWriter::merge(ObjectId a, ObjectId b) {
+void CatalogueWriter::merge(ObjectId a, ObjectId b, int join) {
   const std::scoped_lock lock(mutex_);
-  enqueue(job::Merge{a, b});
+  enqueue(job::Merge{a, b, join});
+}
+
+void CatalogueWriter::part(int join, std::vector<ObjectMerge> earlier) {
+  const std::scoped_lock lock(mutex_);
+  enqueue(job::Part{join, std::move(earlier)});
 }
 
 void CatalogueWriter::name(int naming, ObjectId object, const GivenName& given, int again) {

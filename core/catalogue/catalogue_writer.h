@@ -60,8 +60,12 @@ class CatalogueWriter {
   [[nodiscard]] bool hasRoomForView(ObjectId object);
   /// Adds a view of view.object. Dropped if the object is deleted by then.
   void addView(ObjectView view);
-  /// Merges two objects, unless users have settled both, separated them or deleted one by then.
-  void merge(ObjectId a, ObjectId b);
+  /// Merges two objects, unless users have settled both, separated them or deleted one by then. `join`: the
+  /// number of a user's join of their regions, for part(); only a deleted object is not merged then.
+  void merge(ObjectId a, ObjectId b, int join = 0);
+  /// A user undid that join: its merges are undone, unless others have changed them since. `earlier`: its
+  /// merges, if an earlier scan made them.
+  void part(int join, std::vector<ObjectMerge> earlier);
   /// A user names the object (ObjectDatabase::nameByUser), unless it is deleted by then. `naming`: a
   /// number for revertNaming(). `again`: the number of a reverted naming to redo; does nothing if others
   /// overruled it.

@@ -26,6 +26,7 @@ class CollectedObjects {
     return catalogue_.mergeRootOf(tracks_.objectOf(region));
   }
   [[nodiscard]] ObjectId storedIdOf(ObjectId key) const { return catalogue_.idOf(key); }
+  [[nodiscard]] ObjectId keyOfStored(ObjectId id) const { return catalogue_.keyOf(id); }
   /// As above, with the catalogue's record.
   [[nodiscard]] RegionObject describe(RegionId region) const;
   /// Fills in `seen.object` and its record from `seen.regions`.

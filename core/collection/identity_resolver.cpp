@@ -139,7 +139,7 @@ bool IdentityResolver::areSeenTogether(ObjectId a, ObjectId b) const {
   });
 }
 
-void IdentityResolver::joinRegions(RegionId into, RegionId from, JoinedBy by, int frame) {
+void IdentityResolver::joinRegions(RegionId into, RegionId from, JoinedBy by, int frame, int operation) {
   std::erase_if(state_.mismatches,
                 [&](const auto& entry) { return entry.first.contains(from) || entry.first.contains(into); });
   for (Join& join : joins_) {
@@ -156,8 +156,11 @@ void IdentityResolver::joinRegions(RegionId into, RegionId from, JoinedBy by, in
   }
   const auto [kept, gone] = tracks_.joinRegions(into, from);
   if (!kept) return;
-  if (!catalogue_.mergeRootOf(kept)) {
+  const ObjectId root = catalogue_.mergeRootOf(kept), other = catalogue_.mergeRootOf(gone);
+  if (!root) {
     tracks_.bind({into}, gone);  // the other object was deleted
+  } else if (operation != 0) {
+    if (other && other != root) mergeRecognized(root, other, operation);
   } else {
     joins_.push_back({kept, gone, by == JoinedBy::frames ? into : RegionId{}, frame});
   }
@@ -169,9 +172,22 @@ void IdentityResolver::splitRegion(RegionId from, RegionId part) {
   if (object && !catalogue_.mergeRootOf(object)) tracks_.bind({part}, object);
 }
 
-void IdentityResolver::mergeNow(ObjectId a, ObjectId b) {
+void IdentityResolver::partRegions(int operation, const std::map<RegionId, ObjectId>& objects,
+                                   std::vector<ObjectMerge> earlier) {
+  for (const auto& [region, object] : objects) tracks_.bind({region}, object);
+  writer_.part(operation, std::move(earlier));
+}
+
+void IdentityResolver::mergeNow(ObjectId a, ObjectId b, int join) {
   catalogue_.merge(a, b);
-  writer_.merge(a, b);
+  writer_.merge(a, b, join);
+}
+
+void IdentityResolver::mergeRecognized(ObjectId a, ObjectId b, int join) {
+  const bool is_recognized = tracks_.isObserved(a) != tracks_.isObserved(b);
+  mergeNow(a, b, join);
+  const ObjectId root = catalogue_.mergeRootOf(a);
+  if (is_recognized && !CatalogueMirror::isOfThisScan(root)) recognized_.push_back(*catalogue_.record(root));
 }
 
 void IdentityResolver::merge(Which which, int frame) {
@@ -187,11 +203,7 @@ void IdentityResolver::merge(Which which, int frame) {
     const bool are_one =
         !join->region || (tracks_.hasMoved(a) == tracks_.hasMoved(b) && !tracks_.hasRegions(join->gone));
     if (!are_one || !catalogue_.model().mayMerge(a, b)) continue;
-    const bool is_recognized = tracks_.isObserved(a) != tracks_.isObserved(b);
-    mergeNow(a, b);
-    const ObjectId root = catalogue_.mergeRootOf(a);
-    if (is_recognized && !CatalogueMirror::isOfThisScan(root))
-      recognized_.push_back(*catalogue_.record(root));
+    mergeRecognized(a, b);
   }
   joins_.erase(due, joins_.end());
 }

@@ -94,8 +94,14 @@ class IdentityResolver {
   /// ever seen in one frame stay two. `observed`: the candidates that are objects in this frame.
   void mergeDuplicates(const std::vector<const Candidate*>& observed, int frame);
   /// The region `from` is now part of `into`. If `into` was no object, it becomes the object of `from` if a
-  /// user joined them or edited that object. Otherwise only the place decides (nearby()).
-  void joinRegions(RegionId into, RegionId from, JoinedBy by, int frame);
+  /// user joined them or edited that object. Otherwise only the place decides (nearby()). `operation`: the
+  /// number of a user's join: two objects become one at once, also if users settled both, because a user
+  /// joined their regions (as in saved scans). 0: merge() decides.
+  void joinRegions(RegionId into, RegionId from, JoinedBy by, int frame, int operation = 0);
+  /// A user undid that join. The regions are `objects` again, and merged objects are separate again.
+  /// `earlier`: its merges, if an earlier scan made them.
+  void partRegions(int operation, const std::map<RegionId, ObjectId>& objects,
+                   std::vector<ObjectMerge> earlier);
   /// `part` was part of `from` until now. An object that a user deleted stays deleted for its parts.
   void splitRegion(RegionId from, RegionId part);
   enum class Which { held, all };  ///< joins that persisted long enough, or all
@@ -123,7 +129,10 @@ class IdentityResolver {
   [[nodiscard]] bool areSeenTogether(ObjectId a, ObjectId b) const;
   /// The object is another complete set than these regions, and no user merged the two.
   [[nodiscard]] bool isOtherSet(ObjectId object, const RegionSet& regions) const;
-  void mergeNow(ObjectId a, ObjectId b);
+  /// `join`: CatalogueWriter::merge().
+  void mergeNow(ObjectId a, ObjectId b, int join = 0);
+  /// mergeNow() for objects of regions; notes an object of an earlier scan that was recognised by that.
+  void mergeRecognized(ObjectId a, ObjectId b, int join = 0);
 
   CatalogueMirror& catalogue_;
   CatalogueWriter& writer_;

@@ -184,10 +184,10 @@ Result<void> ObjectCollector::finish(const std::function<void(const FrameObjects
   return writer_->finish([&] { announce(applyCatalogueChanges()); });
 }
 
-void ObjectCollector::joinRegions(RegionId into, RegionId from, JoinedBy by) {
+void ObjectCollector::joinRegions(RegionId into, RegionId from, JoinedBy by, int operation) {
   recognizer_.forgetRegion(from);
   requests_.joinRegions(into, from);
-  identities_.joinRegions(into, from, by, frame_);
+  identities_.joinRegions(into, from, by, frame_, operation);
 }
 
 ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {

@@ -1,9 +1,11 @@
 #pragma once
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -74,8 +76,14 @@ class ObjectCollector {
   }
 
   /// The region `from` is now part of `into`. If they were two objects, collect() merges them in the
-  /// catalogue, unless users edited both or undid such a merge; see IdentityResolver.
-  void joinRegions(RegionId into, RegionId from, JoinedBy by = JoinedBy::user);
+  /// catalogue, unless users edited both or undid such a merge. `operation`: the number of a user's join,
+  /// which merges them at once, whatever users did before. See IdentityResolver.
+  void joinRegions(RegionId into, RegionId from, JoinedBy by = JoinedBy::user, int operation = 0);
+  /// IdentityResolver::partRegions(); objects are keys of this scan.
+  void partRegions(int operation, const std::map<RegionId, ObjectId>& objects,
+                   std::vector<ObjectMerge> earlier) {
+    identities_.partRegions(operation, objects, std::move(earlier));
+  }
   /// `part` was part of `from` until now.
   void splitRegion(RegionId from, RegionId part) { identities_.splitRegion(from, part); }
   /// An earlier scan of this map identified the region as this object.

@@ -45,8 +45,9 @@ void addRequested(const ObjectCollector& collector, const DiscoveryInput& input,
   }
 }
 
-void applyRegionEvents(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by) {
-  for (const auto& [into, from] : events.joined) collector.joinRegions(into, from, by);
+void applyRegionEvents(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by,
+                       int operation) {
+  for (const auto& [into, from] : events.joined) collector.joinRegions(into, from, by, operation);
   for (const auto& [from, part] : events.parted) collector.splitRegion(from, part);
 }
 

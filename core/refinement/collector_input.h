@@ -22,7 +22,9 @@ void leaveOutRejected(const ObjectCollector& collector, const RegionNotes& notes
 void addRequested(const ObjectCollector& collector, const DiscoveryInput& input, int least_points,
                   std::vector<Candidate>& candidates);
 
-/// Tells the collector about changes of regions.
-void applyRegionEvents(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by);
+/// Tells the collector about changes of regions. `operation`: of a user's join; see
+/// ObjectCollector::joinRegions().
+void applyRegionEvents(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by,
+                       int operation = 0);
 
 }  // namespace scantrove

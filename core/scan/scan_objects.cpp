@@ -43,11 +43,13 @@ void ScanObjects::keepKnown(const FrameObjects& objects) {
 void ScanObjects::applyEdit(const RegionEditor::Outcome& outcome, EditDirection direction) {
   const int number = lastOperation(pipeline_.labels().editor().log(), direction == EditDirection::undone);
   if (direction == EditDirection::undone) {
-    joins_.remove(number);
+    ScanJoins::Undone undone = joins_.remove(number);
+    applyRegionEvents(*collector_, outcome.events, ObjectCollector::JoinedBy::user);
+    if (!undone.objects.empty()) collector_->partRegions(number, undone.objects, std::move(undone.earlier));
   } else {
     joins_.add(number, outcome.events, collector_->objects());
+    applyRegionEvents(*collector_, outcome.events, ObjectCollector::JoinedBy::user, number);
   }
-  applyRegionEvents(*collector_, outcome.events, ObjectCollector::JoinedBy::user);
   const Operation& operation = outcome.operation;
   if (isNaming(operation.kind) && !operation.name.empty()) applyNames(operation, direction);
   if (operation.kind == OperationKind::object && operation.on && direction == EditDirection::undone) {
@@ -96,6 +98,7 @@ void ScanObjects::restore(const SavedScan& scan) {
     if (const auto namings = scan.metadata.find(namingsKeyOf(region.region)); namings != scan.metadata.end())
       collector_->requests().restoreNamings(region.region, namingsFromJson(namings->second));
   }
+  joins_.restore(scan.metadata, collector_->objects());
   for (const auto& [region, note] : pipeline_.labels().editor().notes().all()) requestNoted(region);
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
+
+#include "core/base/text.h"
 
 namespace scantrove {
 
@@ -16,7 +19,26 @@ void ScanJoins::add(int operation, const RegionEvents& events, const CollectedOb
   if (!joined.before.empty()) joins_[operation] = std::move(joined);
 }
 
-void ScanJoins::remove(int operation) { joins_[operation] = {}; }
+ScanJoins::Undone ScanJoins::remove(int operation) {
+  Undone undone{std::exchange(joins_[operation], {}).before, {}};
+  if (const auto earlier = earlier_.extract(operation)) undone.earlier = earlier.mapped();
+  return undone;
+}
+
+void ScanJoins::restore(const SessionMetadata& metadata, const CollectedObjects& objects) {
+  const std::string start = joinKeyOf(0).substr(0, joinKeyOf(0).size() - 1);
+  for (auto entry = metadata.lower_bound(start); entry != metadata.end(); ++entry) {
+    if (!entry->first.starts_with(start)) break;
+    const std::optional<int> number = parseFrameNumber(entry->first.substr(start.size()));
+    JoinedObjects joined = joinedFrom(entry->second);
+    if (!number || joined.before.empty() || joined.state != JoinedObjects::State::done) continue;
+    for (auto& [region, object] : joined.before) object = objects.keyOfStored(object);
+    merges_.insert(merges_.end(), joined.merges.begin(), joined.merges.end());
+    earlier_[*number] = joined.merges;
+    taken_[entry->first] = entry->second;
+    joins_[*number] = std::move(joined);
+  }
+}
 
 void ScanJoins::addMerges(std::span<const ObjectMerge> merges) {
   if (!joins_.empty()) merges_.insert(merges_.end(), merges.begin(), merges.end());

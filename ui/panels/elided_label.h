@@ -24,6 +24,8 @@ class ElidedLabel : public QLabel {
     elide();
   }
 
+  [[nodiscard]] const QString& fullText() const { return full_text_; }
+
   [[nodiscard]] QSize sizeHint() const override {
     return {fontMetrics().horizontalAdvance(full_text_) + kMargin_px, QLabel::sizeHint().height()};
   }

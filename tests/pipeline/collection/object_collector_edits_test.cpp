@@ -1,4 +1,5 @@
 #include <array>
+#include <map>
 
 #include "core/collection/candidate_crop.h"
 #include "tests/pipeline/collection/object_collector_fixture.h"
@@ -133,6 +134,53 @@ TEST_F(ObjectCollectorEditsTest, ObjectsThatUsersEditedStayTwo_WhenTheirRegionsJ
   collector_->joinRegions(cup_.region, mug_.region);
   ASSERT_EQ(showFrame({cup_}).merged.size(), 1U);
   EXPECT_EQ(collected(collector_->objects().idOf(cup_.region)).name, "my mug");
+}
+
+TEST_F(ObjectCollectorEditsTest, SettledObjectsMerge_WhenAUserJoinsTheirRegions_AndPartWithTheUndo) {
+  constexpr int kOperation = 7;
+  const FrameObjects first = showFrames({mug_, box_});
+  const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
+  ASSERT_TRUE(person_->rename(box, "my box"));
+  ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
+  static_cast<void>(showFrame({mug_, box_}));
+  const std::map<RegionId, ObjectId> before{{mug_.region, collector_->objects().keyOf(mug_.region)},
+                                            {box_.region, collector_->objects().keyOf(box_.region)}};
+  collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::user, kOperation);
+  const FrameObjects joined = showFrame({mug_});
+  ASSERT_EQ(joined.merged.size(), 1U);
+  EXPECT_EQ(joined.merged[0].into, box) << "a user named it";
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].name, "my box");
+  EXPECT_TRUE(objects()[0].confirmed) << "as one of the two was";
+  EXPECT_EQ(objects()[0].views, 2);
+
+  collector_->splitRegion(mug_.region, box_.region);
+  collector_->partRegions(kOperation, before, {});
+  static_cast<void>(showFrame({mug_, box_}));
+  const FrameObjects parted = showFrame({mug_, box_});
+  EXPECT_EQ(parted.seen[0].object, mug);
+  EXPECT_EQ(parted.seen[1].object, box);
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_FALSE(objects()[1].confirmed) << "it was not before";
+  EXPECT_EQ(objects()[1].name, "my box");
+
+  // A join that is redone merges them, though a user parted them.
+  collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::user, kOperation);
+  EXPECT_EQ(showFrame({mug_}).merged.size(), 1U);
+  EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(ObjectCollectorEditsTest, MergesOfAnEarlierScanPart_WhenTheirJoinIsUndone) {
+  const FrameObjects first = showFrames({mug_, box_});
+  const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
+  const Result<ObjectMerge> earlier = person_->merge(std::array{mug, box});
+  ASSERT_TRUE(earlier);
+  static_cast<void>(showFrame({mug_, box_}));
+  constexpr int kOperation = 3;
+  collector_->partRegions(kOperation, {}, {*earlier});
+  static_cast<void>(showFrame({mug_, box_}));
+  static_cast<void>(showFrame({mug_, box_}));
+  EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorEditsTest, JoinedRegionIsTheOtherObject_WhenItsOwnWasDeleted) {
