@@ -20,6 +20,7 @@
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/review_controller.h"
 #include "ui/main_window/scan_controller.h"
+#include "ui/main_window/scene_names.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/main_window/view_actions.h"
 #include "ui/main_window/window_dialogs.h"
@@ -98,7 +99,7 @@ void MainMenus::makeMenus() {
 
   QMenu* view = window_.menuBar()->addMenu(tr("&View"));
   view->addActions({parts_.scene->followAction(), parts_.scene->fitAction(), parts_.scene->gridAction(),
-                    window_.guide().action()});
+                    window_.guide().action(), parts_.names->action()});
   view->addSeparator();
   parts_.scene->viewActions()->addTo(view);
   view->addSeparator();

@@ -25,7 +25,9 @@
 #include "ui/main_window/review_controller.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scan_display.h"
+#include "ui/main_window/scene_names.h"
 #include "ui/main_window/scene_pane.h"
+#include "ui/main_window/selection_link.h"
 #include "ui/main_window/window_dialogs.h"
 #include "ui/main_window/window_placement.h"
 #include "ui/panels/color_panel.h"
@@ -66,6 +68,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   regions_ = new RegionController(controller_->bridge(), *parts_.scene, *parts_.frames, history_, *this);
   parts_.review = new ReviewController(*parts_.time_line, regions_->operations(), this);
   guide_ = new CoverageGuide(regions_->selection(), *parts_.scene, model_, this);
+  parts_.names = new SceneNames(regions_->selection(), *parts_.scene, *parts_.frames, this);
   docks_->add({tr("History"), "historyDock", tr("Ctrl+4"), Qt::RightDockWidgetArea, kFramesWidth, true},
               new HistoryPanel(history_.stack()));
   presentation_ = new Presentation(*this);
@@ -263,15 +266,7 @@ void MainWindow::connectCatalogue() {
   connect(&editor_, &CatalogueEditor::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::error, message); });
   connect(&model_, &ObjectListModel::dataChanged, parts_.frames->colorPanel(), qOverload<>(&QWidget::update));
-  connect(parts_.objects, &ObjectPanel::selectionChanged, this, [this](const std::vector<ObjectId>& objects) {
-    parts_.frames->setSelected({objects.begin(), objects.end()});
-    std::vector<RegionId> regions;
-    for (const RegionInfo& region : regions_->selection().infos()) {
-      if (region.object && std::ranges::find(objects, region.object) != objects.end())
-        regions.push_back(region.region);
-    }
-    if (!regions.empty()) regions_->selection().select(regions);
-  });
+  new SelectionLink(regions_->selection(), *parts_.objects, *parts_.frames, this);
   catalogue_timer_.start(kOtherPrograms_ms);
 }
 

@@ -284,12 +284,16 @@ QStringList RegionController::tagOf(RegionId region) {
   if (info == nullptr) return {};
   QStringList lines{selection_.title(region)};
   QStringList metadata;
-  if (!info->category().empty()) metadata << QString::fromStdString(info->category());
+  if (!info->category().empty()) metadata << tr("class %1").arg(QString::fromStdString(info->category()));
   if (const QString size = sizeOf(region); !size.isEmpty()) metadata << size;
   metadata << tr("%1 voxels").arg(QLocale().toString(static_cast<qlonglong>(info->voxels)));
   if (info->note.background) metadata << tr("background");
   if (info->note.rejected) metadata << tr("rejected");
-  if (info->object) metadata << tr("object");
+  if (info->object) {
+    // The list calls it so; a user may not have named it yet.
+    const QString object = info->label ? QString::fromStdString(info->label->name) : QString();
+    metadata << (object.isEmpty() || object == lines.front() ? tr("object") : tr("object %1").arg(object));
+  }
   lines << metadata.join(QStringLiteral(" · "));
   if (info->is_proposed_background) lines << tr("looks like background: things stand on it");
   if (const QString next = splitter_->instruction(); !next.isEmpty()) lines << next;

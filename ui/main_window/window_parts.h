@@ -11,6 +11,7 @@ class ParamsPanel;
 class ProgressStrip;
 class ProjectPage;
 class ReviewController;
+class SceneNames;
 class ScenePane;
 class StartPage;
 class StatusStrip;
@@ -22,6 +23,7 @@ struct WindowParts {
   StartPage* start = nullptr;
   ProjectPage* project_page = nullptr;
   ScenePane* scene = nullptr;
+  SceneNames* names = nullptr;
   TimeLine* time_line = nullptr;
   ReviewController* review = nullptr;
   NextStepStrip* next_steps = nullptr;

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "ui/panels/label_placement.h"
 
@@ -48,6 +49,12 @@ void ColorPanel::setFrame(const QImage& picture, const std::vector<SeenObject>& 
   objects_ = objects;
   sortObjects();
   setPicture(picture);
+}
+
+void ColorPanel::setRegionNames(std::vector<RegionLabelInImage> names) {
+  if (names.empty() && region_names_.empty()) return;
+  region_names_ = std::move(names);
+  update();
 }
 
 void ColorPanel::setGhost(const QImage& ghost) {
@@ -121,6 +128,13 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
     names.push_back(QFontMetricsF(font).elidedText(name, Qt::ElideRight, rect.width() / 2));
     requests.push_back({objectRect(object), chipSize(painter, names.back())});
   }
+  for (const RegionLabelInImage& region : region_names_) {
+    names.push_back(QFontMetricsF(font).elidedText(region.name, Qt::ElideRight, rect.width() / 2));
+    const QSizeF size = chipSize(painter, names.back());
+    const QPointF at = positionOf(region.fraction);
+    // The place above this box is preferred: the name is centred on its region.
+    requests.push_back({{at.x() - size.width() / 2, at.y() + size.height() / 2, size.width(), 1}, size});
+  }
   for (const SeenObject& object : objects_) {
     if (!object.object) paintCandidate(painter, objectRect(object));
   }
@@ -131,6 +145,10 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   const std::vector<QRectF> places =
       placeLabels(requests, rect.adjusted(0, 0, 0, -chipSize(painter, title()).height() - 8));
   for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i >= named.size()) {
+      paintChip(painter, places[i].topLeft(), names[i], kFound);
+      continue;
+    }
     const SeenObject& object = *named[i];
     const QColor color = isSelected(object) ? kSelected : (isRecognized(object) ? kRecognized : kFound);
     paintChip(painter, places[i].topLeft(), names[i], color);

@@ -24,6 +24,13 @@ class ColorPanel : public ImagePanel {
   void setIsRecognized(IsRecognized is_recognized) { is_recognized_ = std::move(is_recognized); }
 
   void setFrame(const QImage& picture, const std::vector<SeenObject>& objects);
+  /// The name of a region that is no known object in the frame, at a place of it in fractions of the picture.
+  struct RegionLabelInImage {
+    QPointF fraction;
+    QString name;
+  };
+  void setRegionNames(std::vector<RegionLabelInImage> names);
+  [[nodiscard]] const std::vector<RegionLabelInImage>& regionNames() const { return region_names_; }
   /// While the camera is lost: a view that relocalisation would recognise, drawn transparently over the
   /// picture; null: none.
   void setGhost(const QImage& ghost);
@@ -43,6 +50,7 @@ class ColorPanel : public ImagePanel {
   void sortObjects();
   void paintGhost(QPainter& painter, const QRectF& rect) const;
 
+  std::vector<RegionLabelInImage> region_names_;
   std::vector<SeenObject> objects_;  ///< the selected ones first
   std::set<ObjectId> selected_;
   QImage ghost_;

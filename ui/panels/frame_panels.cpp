@@ -6,6 +6,7 @@
 #include "ui/panels/color_panel.h"
 #include "ui/panels/depth_panel.h"
 #include "ui/panels/region_picture.h"
+#include "ui/panels/regions_in_picture.h"
 
 namespace scantrove {
 namespace {
@@ -141,6 +142,7 @@ void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
   objects_ = snapshot.objects;
   showRegions();
   pointing_.show(snapshot);
+  showNames();
   showHighlight();
   showMarks();
   // The surface under the pointer may have changed.
@@ -152,6 +154,29 @@ void FramePanels::setSelected(const std::set<ObjectId>& selected) {
   selected_ = selected;
   color_->setSelected(selected);
   showRegions();
+}
+
+void FramePanels::setNames(std::map<RegionId, QString> names) {
+  names_ = std::move(names);
+  showNames();
+}
+
+void FramePanels::showNames() {
+  constexpr int kLeastPixels = 30;
+  std::set<RegionId> regions;
+  for (const auto& [region, name] : names_) regions.insert(region);
+  // Those of known objects have their own rectangles.
+  for (const SeenObject& object : objects_) {
+    if (!object.object) continue;
+    for (const RegionId region : object.regions) regions.erase(region);
+  }
+  std::vector<ColorPanel::RegionLabelInImage> shown;
+  const cv::Mat& ids = regions.empty() ? region_ids_ : pointing_.regionIds(FramePointing::Picture::color);
+  for (const auto& [region, seen] : regionsInPicture(ids, regions, kLeastPixels)) {
+    const QPointF fraction((seen.anchor_px.x + 0.5) / ids.cols, (seen.anchor_px.y + 0.5) / ids.rows);
+    shown.push_back({fraction, names_.at(region)});
+  }
+  color_->setRegionNames(std::move(shown));
 }
 
 void FramePanels::showRegions() {
@@ -172,6 +197,7 @@ void FramePanels::clear() {
   }
   color_->setEmptyText({});
   color_->setFrame({}, {});
+  color_->setRegionNames({});
   color_->setGhost({});
   has_range_ = false;
 }

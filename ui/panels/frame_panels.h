@@ -2,6 +2,7 @@
 #include <QPoint>
 #include <QStringList>
 #include <QWidget>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -32,6 +33,8 @@ class FramePanels : public QWidget {
   void setSelected(const std::set<ObjectId>& selected);
   void feature(ImagePanel* panel);
   void featureNext();
+  /// Names of regions, shown in the colour image at once.
+  void setNames(std::map<RegionId, QString> names);
   /// Highlights regions in all pictures.
   void setHighlight(RegionId hovered, const std::vector<RegionId>& selected);
   /// Shows text beside the pointer, in the picture under it.
@@ -67,6 +70,7 @@ class FramePanels : public QWidget {
  private:
   void arrange();
   void showRegions();
+  void showNames();
   void showHighlight();
   void showMarks();
   void connectPointing(ImagePanel* panel);
@@ -82,6 +86,7 @@ class FramePanels : public QWidget {
   cv::Mat region_ids_;               ///< of the frame shown
   std::vector<SeenObject> objects_;  ///< in the frame shown
   std::set<ObjectId> selected_;
+  std::map<RegionId, QString> names_;
   FramePointing pointing_;
   RegionId hovered_region_;
   std::vector<RegionId> selected_regions_;

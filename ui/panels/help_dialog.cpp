@@ -89,6 +89,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("F"), tr("Follow the camera"));
   line(tr("G, Shift+G"), tr("Ground grid; show where to move"));
   line(tr("Alt+1 … Alt+5, R"), tr("Colour by scene, regions, both, direction, height; next mode"));
+  line(tr("Shift+N"), tr("Names of the regions"));
   line(tr("Shift+B"), tr("Background shown, dimmed, hidden"));
   line(tr("X, Ctrl+wheel"), tr("Clip plane, move the plane"));
   line(tr("T"), tr("Measure between two clicks"));

@@ -5,6 +5,7 @@
 
 #include "ui/panels/coverage_ring.h"
 #include "ui/panels/image_panel.h"
+#include "ui/panels/label_placement.h"
 #include "ui/panels/region_picture.h"
 #include "ui/theme/theme.h"
 
@@ -66,6 +67,29 @@ void SceneOverlay::setMark(const std::optional<QPointF>& at, const QString& word
   update();
 }
 
+void SceneOverlay::setNames(std::vector<Name> names) {
+  if (names == names_) return;
+  names_ = std::move(names);
+  update();
+}
+
+void SceneOverlay::paintNames(QPainter& painter) const {
+  constexpr double kWidest_px = 180;
+  std::vector<QString> texts;
+  std::vector<LabelRequest> requests;
+  for (const Name& name : names_) {
+    texts.push_back(QFontMetricsF(painter.font()).elidedText(name.name, Qt::ElideRight, kWidest_px));
+    const QSizeF size = chipSize(painter, texts.back());
+    // placeLabels() prefers the place above a box: then the label is centred at the point.
+    requests.push_back(
+        {{name.at.x() - size.width() / 2, name.at.y() + size.height() / 2, size.width(), 1}, size});
+  }
+  const std::vector<QRectF> places = placeLabels(requests, rect());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    paintChip(painter, places[i].topLeft(), texts[i],
+              names_[i].is_selected ? QColor(0xff, 0xd0, 0x00) : QColor(Qt::white));
+}
+
 void SceneOverlay::paintSeenSides(QPainter& painter) const {
   constexpr double kRing = 44;
   constexpr double kMargin = 14;
@@ -81,6 +105,7 @@ void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   if (!highlight_.isNull()) painter.drawImage(QRectF(rect()), highlight_);
+  paintNames(painter);
   if (!band_.isEmpty()) {
     painter.setPen(QPen(QColor(0xff, 0xd0, 0x00), 1, Qt::DashLine));
     painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));

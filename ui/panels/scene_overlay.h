@@ -11,8 +11,8 @@
 
 namespace scantrove {
 
-/// Overlay of the 3D view, transparent to the mouse: highlighted regions, the tag beside the pointer, the
-/// current band or stroke, marks, and a hint at the top.
+/// Overlay of the 3D view, transparent to the mouse: highlighted regions, names, the tag beside the pointer,
+/// the current band or stroke, marks, and a hint at the top.
 class SceneOverlay : public QWidget {
   Q_OBJECT
 
@@ -39,6 +39,16 @@ class SceneOverlay : public QWidget {
   [[nodiscard]] const QString& hint() const { return hint_; }
   /// Ring of the selection in the lower left corner, with `words`; none: no ring.
   void setSeenSides(const std::optional<SeenSides>& seen, const QString& words);
+  /// The name of a region, at a point of it in widget coordinates.
+  struct Name {
+    QPointF at;
+    QString name;
+    bool is_selected = false;
+    bool operator==(const Name&) const = default;
+  };
+  /// Shows the names without overlap; the first have priority.
+  void setNames(std::vector<Name> names);
+  [[nodiscard]] const std::vector<Name>& names() const { return names_; }
   /// A text at a position of the view; none: no text.
   void setMark(const std::optional<QPointF>& at, const QString& word);
   [[nodiscard]] const std::optional<QPointF>& mark() const { return mark_; }
@@ -48,6 +58,7 @@ class SceneOverlay : public QWidget {
 
  private:
   void paintSeenSides(QPainter& painter) const;
+  void paintNames(QPainter& painter) const;
 
   QImage highlight_;
   std::optional<QPointF> pointer_;
@@ -56,6 +67,7 @@ class SceneOverlay : public QWidget {
   Marks stroke_;
   std::vector<Marks> marks_;
   QString hint_;
+  std::vector<Name> names_;
   std::optional<SeenSides> seen_sides_;
   QString sides_in_words_;
   std::optional<QPointF> mark_;
