@@ -55,6 +55,8 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
   focus_objects = make("search", tr("Go to the object &list"), tr("Ctrl+L"),
                        tr("Move the keyboard focus to the object list"));
+  classes = make("", tr("&Classes…"), tr("Ctrl+Shift+L"),
+                 tr("Rename, merge, colour, import and export the classes of the catalogue"));
 
   theme_system = make("", tr("&System"), {}, tr("Follow the desktop"));
   theme_light = make("sun", tr("&Light"), {}, tr("Use light colours"));

@@ -44,6 +44,7 @@ class MainActions : public QObject {
   QAction* undo;
   QAction* redo;
   QAction* focus_objects;
+  QAction* classes;
 
   QAction* theme_system;
   QAction* theme_light;

@@ -65,7 +65,10 @@ void MainMenus::makeMenus() {
   file->addSeparator();
   file->addActions({actions.close_scan, actions.quit});
 
-  window_.menuBar()->addMenu(tr("&Edit"))->addActions({actions.undo, actions.redo});
+  QMenu* edit = window_.menuBar()->addMenu(tr("&Edit"));
+  edit->addActions({actions.undo, actions.redo});
+  edit->addSeparator();
+  edit->addAction(actions.classes);
 
   QMenu* scan = window_.menuBar()->addMenu(tr("&Scan"));
   scan->addActions({actions.start, actions.pause, actions.step, actions.stop});
@@ -191,6 +194,7 @@ void MainMenus::connectActions() {
   on(actions.theme_dark, [this] { chooseTheme(ThemeChoice::dark); });
   on(actions.reset_layout, [this] { window_.docks().resetLayout(); });
   on(actions.present, [this] { window_.presentation()->begin(); });
+  on(actions.classes, [this] { window_.dialogs().showClasses(); });
   on(actions.help_keys, [this] { window_.dialogs().showHelp(); });
   on(actions.about, [this] { window_.dialogs().showAbout(); });
   const ThemeChoice theme = Theme::instance().choice();

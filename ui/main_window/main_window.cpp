@@ -231,6 +231,8 @@ void MainWindow::connectRegions() {
   ScanBridge& bridge = controller_->bridge();
   connect(regions_, &RegionController::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
+  connect(regions_, &RegionController::hinted, this,
+          [this](const QString& message) { parts_.messages->show(MessageBar::Kind::info, message); });
   connect(controller_, &ScanController::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
   const RegionActions& on_regions = regions_->actions();

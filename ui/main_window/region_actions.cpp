@@ -67,7 +67,7 @@ QList<QAction*> RegionActions::all() const {
 void RegionActions::enableFor(std::size_t count, bool is_background, bool is_rejected) {
   for (QAction* action : {name, finer, coarser, background, object, reject, fit, deselect})
     action->setEnabled(count > 0);
-  join->setEnabled(count > 1);
+  join->setEnabled(count > 0);  // with one region it says how to join
   background->setChecked(count > 0 && is_background);
   reject->setChecked(count > 0 && is_rejected);
   for (QAction* action : recent) action->setEnabled(count > 0 && !action->data().toString().isEmpty());

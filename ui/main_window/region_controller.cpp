@@ -47,6 +47,7 @@ RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePa
     emit failed(message);
     splitter_->end();
   });
+  connect(&operations_, &RegionOperations::hinted, this, &RegionController::hinted);
   updateActions();
 }
 

@@ -39,6 +39,7 @@ class RegionController : public QObject {
 
  signals:
   void failed(const QString& message);
+  void hinted(const QString& message);
 
  private:
   void connectFrames();

@@ -125,7 +125,10 @@ void RegionOperations::markSupports() {
 
 void RegionOperations::join() {
   std::vector<RegionId> regions = selection_.selected();
-  if (regions.size() < 2) return;
+  if (regions.size() < 2) {
+    emit hinted(tr("Select the regions to join: click one, then Ctrl+click the others."));
+    return;
+  }
   std::stable_partition(regions.begin(), regions.end(), [this](RegionId region) {
     const RegionInfo* const info = selection_.info(region);
     return info != nullptr && !info->note.name.empty();

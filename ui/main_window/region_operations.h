@@ -57,6 +57,8 @@ class RegionOperations : public QObject {
   void nameGiven(const scantrove::RegionName& name);
   /// An operation other than a split failed or could not be stored.
   void failed(const QString& message);
+  /// What the user can do instead.
+  void hinted(const QString& message);
   /// A split failed; the region is as it was.
   void splitFailed(const QString& message);
 

@@ -9,6 +9,7 @@
 #include "ui/main_window/project_choice.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/panels/camera_dialog.h"
+#include "ui/panels/class_dialog.h"
 #include "ui/panels/export_dialog.h"
 #include "ui/panels/file_dialogs.h"
 #include "ui/panels/help_dialog.h"
@@ -92,6 +93,13 @@ void WindowDialogs::showExport() {
   export_->show();
   export_->raise();
   export_->activateWindow();
+}
+
+void WindowDialogs::showClasses() {
+  if (classes_ == nullptr) classes_ = new ClassDialog(window_.editor(), &window_);
+  classes_->show();
+  classes_->raise();
+  classes_->activateWindow();
 }
 
 void WindowDialogs::showHelp() {

@@ -4,6 +4,7 @@
 
 namespace scantrove {
 
+class ClassDialog;
 class ExportDialog;
 class HelpDialog;
 class MainWindow;
@@ -26,9 +27,12 @@ class WindowDialogs : public QObject {
   void chooseSession();
   void showExport();
   void closeExport();
+  void showClasses();
   void showHelp();
   void showAbout();
 
+  /// Null: it was not open yet.
+  [[nodiscard]] ClassDialog* classDialog() const { return classes_; }
   /// Null if it is not open.
   [[nodiscard]] ExportDialog* exportDialog() const { return export_; }
 
@@ -38,6 +42,7 @@ class WindowDialogs : public QObject {
 
   MainWindow& window_;
   ExportDialog* export_ = nullptr;
+  ClassDialog* classes_ = nullptr;
   HelpDialog* help_ = nullptr;
 };
 

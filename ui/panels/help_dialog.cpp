@@ -58,6 +58,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Del"), tr("Delete"));
   line(tr("M"), tr("Merge the selected objects into one"));
   line(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("Undo, redo"));
+  line(tr("Ctrl+Shift+L"), tr("Classes"));
   heading(tr("Regions (in the 3D view and in the images)"));
   line(tr("Click, Ctrl+click"), tr("Select a region; select another one as well"));
   line(tr("Ctrl+drag (images: drag)"), tr("Select all regions in a rectangle"));

@@ -227,6 +227,13 @@ TEST_F(BackgroundTest, JoinAsksFirst) {
       << "the named region comes first and keeps its name";
 }
 
+TEST_F(PointingTest, JoinOfOneRegionSaysHowToJoin) {
+  clickPicture(0, 0.2);
+  QTest::keyClick(panel(0), Qt::Key_J);
+  EXPECT_TRUE(worker_->edits.empty());
+  EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("Ctrl+click")));
+}
+
 TEST_F(BackgroundTest, NamingAsksFirst) {
   clickPicture(0, 0.2);
   const auto giveName = [this] {
