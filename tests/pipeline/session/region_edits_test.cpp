@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <opencv2/imgproc.hpp>
@@ -94,66 +92,6 @@ Eigen::Vector3f pointAt(const ScanSnapshot& snapshot, const cv::Point& pixel) {
   return snapshot.pose.T_world_camera.cast<float>() *
          snapshot.K.backProject(static_cast<float>(pixel.x), static_cast<float>(pixel.y),
                                 snapshot.depth_fused_m.at<float>(pixel));
-}
-
-TEST(RegionEdits, NamedObjectsMergeWithAJoin_AndPartWithItsUndo_InTheRunningScan) {
-  const QtMainThread qt;
-  const TemporaryFolder folder;
-  EditLog log;
-  const std::string catalogue = (folder / "catalogue.sqlite").string();
-  std::vector<RegionId> pair;
-  std::vector<ObjectId> objects;
-  ScanWorker worker([&](const ScanEvent& event) { log.add(event); });
-  ScanRequest request;
-  request.source = "demo";
-  request.source_options.frames = 44;
-  request.output_folder = folder / "scan";
-  request.database = catalogue;
-  request.start_paused = true;
-  request.skip_refinement = true;
-  worker.post(StartScan{request});
-  for (int i = 0; i < 36; ++i) worker.post(StepScan{});
-  const auto snapshot = snapshotAfter(worker, 36);
-  ASSERT_NE(snapshot, nullptr);
-  ASSERT_NE(snapshot->region_infos, nullptr);
-  for (const RegionInfo& info : *snapshot->region_infos) {
-    if (!info.label || !info.label->object || pair.size() == 2) continue;
-    pair.push_back(info.region);
-    objects.push_back(info.label->object);
-  }
-  ASSERT_EQ(pair.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    Operation name;
-    name.kind = OperationKind::name;
-    name.regions = {pair[i]};
-    name.name = i == 0 ? "left thing" : "right thing";
-    worker.post(EditRegions{name});
-  }
-  Operation join;
-  join.kind = OperationKind::join;
-  join.regions = pair;
-  worker.post(EditRegions{join});
-  ASSERT_FALSE(log.edit(3).empty());
-  const auto mergeRoot = [&](ObjectId object) {
-    return ObjectDatabase::open(catalogue).value()->mergeRoot(object).value();
-  };
-  const auto isSoon = [](const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (!condition() && std::chrono::steady_clock::now() < end)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    return condition();
-  };
-  EXPECT_TRUE(isSoon([&] { return mergeRoot(objects[0]) == mergeRoot(objects[1]); }))
-      << "also while the scan is paused";
-  worker.post(EditRegions{UndoEdit{}});
-  EXPECT_TRUE(isSoon([&] { return mergeRoot(objects[0]) != mergeRoot(objects[1]); }));
-  worker.post(ResumeScan{});
-  worker.wait();
-  ASSERT_EQ(worker.state(), ScanState::finished);
-  const auto database = ObjectDatabase::open(catalogue);
-  ASSERT_TRUE(database);
-  EXPECT_EQ((*database)->object(objects[0]).value().name, "left thing");
-  EXPECT_EQ((*database)->object(objects[1]).value().name, "right thing");
 }
 
 TEST(RegionEdits, JoinOfTwoObjectsIsUndone_AfterTheScan) {
