@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -8,22 +9,44 @@
 
 #include "app/command.h"
 #include "app/core_application.h"
+#include "app/export_choice_options.h"
+#include "app/export_report.h"
 #include "app/json_output.h"
 #include "app/kernel_cache_use.h"
 #include "app/stop_signal.h"
 #include "core/dataset/catalogue_export.h"
 #include "core/dataset/centered_mesh.h"
 #include "core/dataset/dataset_export.h"
+#include "core/dataset/project_export.h"
+#include "core/project/project.h"
+#include "core/project/project_scans.h"
 #include "core/session/session_scan.h"
 
 namespace scantrove {
 namespace {
 
 struct ExportCommand {
-  std::string folder, database, out, format, device, license;
-  bool all_frames = false, background = false, include_unfit = false, centered = false, json = false,
-       checked_only = false;
+  std::string folder, project, database, out, format, device, license;
+  bool all_frames = false, background = false, include_unfit = false, centered = false, json = false;
+  bool checked_only = false, dry_run = false;
+  ExportChoiceOptions choices;
 };
+
+Result<ExportOptions> optionsOf(const ExportCommand& command) {
+  const Result<DatasetFormat> format = parseDatasetFormat(command.format);
+  if (!format) return fail(format.error());
+  ExportOptions options;
+  options.format = *format;
+  options.folder = command.out;
+  options.all_frames = command.all_frames;
+  options.background = command.background;
+  options.include_unfit = command.include_unfit;
+  options.license = command.license;
+  options.checked_only = command.checked_only;
+  options.choices = command.choices.choices();
+  options.dry_run = command.dry_run;
+  return options;
+}
 
 /// Prints progress on stderr in steps of ten percent. Ctrl+C cancels the export.
 class ExportProgressPrinter {
@@ -69,41 +92,23 @@ Result<void> exportObjects(const ExportCommand& command) {
   return {};
 }
 
-Json toJson(const ExportSummary& summary, const std::string& format) {
-  Json classes = Json::array();
-  for (const ClassCount& count : summary.classes) {
-    classes.push_back({{"name", count.name},
-                       {"images", count.images},
-                       {"instances", count.instances},
-                       {"pixels", count.pixels}});
+/// Prints the result of an export, its messages to stderr.
+void printResult(const ExportSummary& summary, const ExportCommand& command) {
+  printMessages(summary.skipped);
+  printMessages(summary.notes);
+  if (summary.unfit > 0)
+    std::cerr << "scantrove: " << summary.unfit
+              << " unfit frames were left out; --include-unfit-frames exports them.\n";
+  if (command.json) {
+    printJson(exportToJson(summary, command.format, command.dry_run));
+  } else {
+    printExport(summary, command.format, command.dry_run);
   }
-  return {{"format", format},
-          {"folder", summary.folder.string()},
-          {"images", summary.images},
-          {"regions", summary.regions},
-          {"annotations", summary.annotations},
-          {"points", summary.points},
-          {"faces", summary.faces},
-          {"bytes", summary.bytes},
-          {"unfit", summary.unfit},
-          {"skipped", summary.skipped},
-          {"notes", summary.notes},
-          {"classes", std::move(classes)}};
-}
-
-void printSummary(const ExportSummary& summary, const std::string& format) {
-  std::cout << format << "     " << summary.images << " images, " << summary.regions << " regions, "
-            << summary.annotations << " annotations";
-  if (!summary.classes.empty()) std::cout << " of " << summary.classes.size() << " classes";
-  if (summary.points > 0) std::cout << ", " << summary.points << " points";
-  if (summary.faces > 0) std::cout << ", " << summary.faces << " faces";
-  std::cout << ", " << megabytesOf(summary.bytes) << " MB\nresults  " << inLine(summary.folder.string())
-            << '\n';
 }
 
 Result<void> exportSession(const ExportCommand& command) {
-  const Result<DatasetFormat> format = parseDatasetFormat(command.format);
-  if (!format) return fail(format.error());
+  const Result<ExportOptions> options = optionsOf(command);
+  if (!options) return fail(options.error());
   const KernelCacheUse kernels;
   auto session = OpenSession::open(command.folder, command.device);
   if (!session) return fail(session.error());
@@ -112,40 +117,77 @@ Result<void> exportSession(const ExportCommand& command) {
   SessionScan scan(**session);
   ExportProgressPrinter printer;
   const auto exportScan = command.centered ? exportCenteredMesh : exportDataset;
-  const ExportOptions options{
-      *format,         command.out,         command.all_frames, command.background, command.include_unfit,
-      command.license, command.checked_only};
-  const auto summary = exportScan(scan, options, std::ref(printer), printer.token());
+  const auto summary = exportScan(scan, *options, std::ref(printer), printer.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
     std::cerr << "scantrove: " << inLine((*session)->missingCatalogue()->message()) << '\n';
-  printMessages(summary->skipped);
-  printMessages(summary->notes);
-  if (summary->unfit > 0)
-    std::cerr << "scantrove: " << summary->unfit
-              << " unfit frames were left out; --include-unfit-frames exports them.\n";
-  if (command.json) {
-    printJson(toJson(*summary, command.format));
-  } else {
-    printSummary(*summary, command.format);
-  }
+  printResult(*summary, command);
   return {};
+}
+
+Result<void> exportWholeProject(const ExportCommand& command) {
+  const Result<ExportOptions> options = optionsOf(command);
+  if (!options) return fail(options.error());
+  const Result<Project> project = openProject(command.project);
+  if (!project) return fail(project.error());
+  const KernelCacheUse kernels;
+  std::set<std::string> warned;
+  const auto warn = [&](const std::string& sentence) {
+    if (warned.insert(sentence).second) std::cerr << "scantrove: " << inLine(sentence) << '\n';
+  };
+  auto scans = scansToExport(*project, command.choices.scanNames(), command.device, warn);
+  if (!scans) return fail(scans.error());
+  ExportProgressPrinter printer;
+  const auto summary = exportProject({project->name, std::move(*scans), command.choices.scanSplit()},
+                                     *options, std::ref(printer), printer.token());
+  if (!summary) return fail(summary.error());
+  printResult(*summary, command);
+  return {};
+}
+
+/// Throws CLI::ValidationError.
+void checkExport(const ExportCommand& command) {
+  const bool is_catalogue = !command.database.empty(), is_project = !command.project.empty();
+  const int sources = (command.folder.empty() ? 0 : 1) + (is_catalogue ? 1 : 0) + (is_project ? 1 : 0);
+  if (sources != 1) {
+    throw CLI::ValidationError("DIR",
+                               "is a session, --project a project, --database a catalogue. Give one of them");
+  }
+  if (is_catalogue &&
+      (!command.format.empty() || command.all_frames || command.background || command.include_unfit ||
+       command.checked_only || !command.license.empty() || command.dry_run || command.choices.isAny())) {
+    throw CLI::ValidationError(
+        "--database",
+        "cannot be combined with --format, --all-frames, --background, "
+        "--include-unfit-frames, --checked-only, --license, --dry-run or choices of labels and "
+        "scans");
+  }
+  if (command.centered && (command.format != "mesh" || is_project))
+    throw CLI::ValidationError("--centred", "needs --format mesh and the folder of one session");
+  if (!is_catalogue && command.format.empty())
+    throw CLI::ValidationError("--format", "is required to export a session or a project");
+  if (command.out.empty() && !command.dry_run)
+    throw CLI::ValidationError("--out", "is required, unless with --dry-run");
+  if (!is_catalogue) command.choices.check(is_project, command.format);
 }
 
 }  // namespace
 
 void addExportCommand(CLI::App& app, CommandJob& job) {
   auto command = std::make_shared<ExportCommand>();
-  CLI::App* sub = app.add_subcommand("export", "Export a data set of a scan or a catalogue");
+  CLI::App* sub = app.add_subcommand("export", "Export a data set of a scan, a project or a catalogue");
   sub->add_option("DIR", command->folder, "folder of the session");
+  sub->add_option("--project", command->project, "instead of DIR: export the scans of this project together")
+      ->type_name("PROJECT");
   sub->add_option("--database", command->database,
                   "instead of DIR: export the views of all objects of this catalogue")
       ->type_name("FILE");
   sub->add_option("--format", command->format, "format of the data set")
       ->check(CLI::IsMember(datasetFormatNames()))
       ->type_name("coco|bop|yolo|masks|voc|labelstudio|boxes|foundationpose|ply|pcd|mesh|tum|scannet");
-  sub->add_option("--out", command->out, "folder for the data set; must be empty or not exist")
-      ->required()
+  sub->add_option("--out", command->out,
+                  "folder for the data set: a new or empty one, or that of an earlier data set of the "
+                  "same format, which is replaced if nobody has changed it")
       ->type_name("DIR2");
   sub->add_flag("--all-frames", command->all_frames, "export all stored frames, not only key frames");
   sub->add_flag("--checked-only", command->checked_only, "export only key frames whose review is checked");
@@ -156,27 +198,17 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
                 "with --format mesh: centre each object at the origin and write the offset to a file");
   sub->add_option("--license", command->license, "licence of the data set, for its README and LICENSE.txt")
       ->type_name("TEXT");
+  command->choices.addTo(*sub);
+  sub->add_flag("--dry-run", command->dry_run, "count images, instances and pixels, and write nothing");
   sub->add_flag("--json", command->json, "print the summary with the counts of each class as JSON");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
   sub->callback([command, &job] {
-    const bool is_catalogue = !command->database.empty();
-    if (is_catalogue != command->folder.empty()) {
-      throw CLI::ValidationError("DIR", "is a session, --database a catalogue. Give one of them");
-    }
-    if (is_catalogue && (!command->format.empty() || command->all_frames || command->background ||
-                         command->include_unfit || command->checked_only || !command->license.empty())) {
-      throw CLI::ValidationError("--database",
-                                 "cannot be combined with --format, --all-frames, --background, "
-                                 "--include-unfit-frames, --checked-only or --license");
-    }
-    if (command->centered && command->format != "mesh")
-      throw CLI::ValidationError("--centred", "needs --format mesh");
-    if (!is_catalogue && command->format.empty())
-      throw CLI::ValidationError("--format", "is required to export a session");
-    job = [command, is_catalogue] {
+    checkExport(*command);
+    job = [command]() -> Result<void> {
       const CoreApplication qt;
-      return is_catalogue ? exportObjects(*command) : exportSession(*command);
+      if (!command->database.empty()) return exportObjects(*command);
+      return command->project.empty() ? exportSession(*command) : exportWholeProject(*command);
     };
   });
 }

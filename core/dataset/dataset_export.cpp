@@ -9,12 +9,17 @@
 #include "core/dataset/centered_mesh.h"
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/dataset_readme.h"
+#include "core/dataset/export_scans.h"
 #include "core/dataset/frame_choice.h"
+#include "core/dataset/project_export.h"
 #include "core/dataset/region_choice.h"
+#include "core/dataset/scan_list.h"
 #include "core/dataset/staged_folder.h"
 
 namespace scantrove {
 namespace {
+
+namespace fs = std::filesystem;
 
 using WriteFormat = Result<void> (*)(ExportJob&);
 
@@ -24,43 +29,70 @@ constexpr std::array<WriteFormat, 13> kWriters{
     exportLabelStudio, exportBoxes, exportFoundationPose, exportPlyCloud, exportPcdCloud,
     exportMesh,        exportTum,   exportScannet};
 
-Result<ExportSummary> exportInto(LabeledScan& scan, const ExportOptions& options, WriteFormat write,
-                                 const StagedFolder& folder, const ExportProgressCallback& progress,
-                                 const std::stop_token& cancel) {
-  ExportJob job(scan, options, folder.path(), progress, cancel);
-  SCANTROVE_TRY(job.step(0, 1, "regions"));
+/// What to write, and whom to tell about it.
+struct ExportTask {
+  const ExportOptions& options;
+  WriteFormat write;
+  const ExportProgressCallback& progress;
+  const std::stop_token& cancel;
+};
+
+/// Writes a format that knows one scan: in a project, into a folder for each.
+Result<void> writeApart(ExportJob& job, WriteFormat write) {
+  SCANTROVE_TRY(job.forEachScan([&] {
+    job.setFolder(job.part().folder());
+    return write(job);
+  }));
+  job.setFolder({});
+  return {};
+}
+
+Result<ExportSummary> exportInto(ExportScans scans, const ExportTask& task, const fs::path& folder) {
+  ExportJob job(std::move(scans), task.options, folder, task.progress, task.cancel);
   SCANTROVE_TRY(job.readRegions());
-  SCANTROVE_TRY(write(job));
+  SCANTROVE_TRY(joinsScans(task.options.format) ? task.write(job) : writeApart(job, task.write));
+  if (job.scans().isProject() && hasImages(task.options.format) && job.summary().images == 0) {
+    return fail("No key frame of the project " + job.scans().title() + " can be used: there are no images.",
+                job.summary().unfit > 0 ? "Export unfit frames, too: --include-unfit-frames." : "");
+  }
+  SCANTROVE_TRY(writeScanList(job));
   SCANTROVE_TRY(writeReadme(job));
+  if (task.options.dry_run) return std::move(job.summary());
   SCANTROVE_TRY(job.step(1, 1, "checking files"));
   SCANTROVE_TRY(job.checkFiles());
+  SCANTROVE_TRY(job.writeRecord());
   SCANTROVE_TRY(job.step(1, 1, "done"));
   return std::move(job.summary());
 }
 
-/// Turns exceptions of libraries into errors.
-Result<ExportSummary> exportGuarded(LabeledScan& scan, const ExportOptions& options, WriteFormat write,
-                                    const StagedFolder& folder, const ExportProgressCallback& progress,
-                                    const std::stop_token& cancel) {
+/// Turns exceptions of libraries into errors. `place`: the folder that the user knows.
+Result<ExportSummary> exportGuarded(ExportScans scans, const ExportTask& task, const fs::path& folder,
+                                    const fs::path& place) {
   try {
-    return exportInto(scan, options, write, folder, progress, cancel);
+    return exportInto(std::move(scans), task, folder);
   } catch (const std::bad_alloc&) {
-    return fail("There is not enough memory to export to " + folder.place().string() + ".",
+    return fail("There is not enough memory to export to " + place.string() + ".",
                 "Close other programs, or export key frames only.");
   } catch (const std::exception& error) {
-    return fail("The export to " + folder.place().string() + " failed: " + error.what() + ".");
+    return fail("The export to " + place.string() + " failed: " + error.what() + ".");
   }
 }
 
-/// Writes into a folder that is created atomically.
-Result<ExportSummary> exportWith(WriteFormat write, LabeledScan& scan, const ExportOptions& options,
-                                 const ExportProgressCallback& progress, const std::stop_token& cancel) {
-  auto folder = StagedFolder::create(options.folder);
+/// Writes into a folder that is created atomically; a dry run writes nothing.
+Result<ExportSummary> exportWith(ExportScans scans, const ExportTask& task) {
+  const ExportOptions& options = task.options;
+  if (options.dry_run) return exportGuarded(std::move(scans), task, options.folder, options.folder);
+  const std::string& format = datasetFormatNames().at(static_cast<std::size_t>(options.format));
+  auto folder = StagedFolder::createOver(options.folder, format);
   if (!folder) return fail(folder.error());
-  auto summary = exportGuarded(scan, options, write, *folder, progress, cancel);
+  auto summary = exportGuarded(std::move(scans), task, folder->path(), folder->place());
   if (!summary) return fail(folder->inFinalWords(summary.error()));
   if (auto committed = folder->commit(); !committed) return fail(folder->inFinalWords(committed.error()));
   summary->folder = folder->place();
+  if (!folder->leftOver().empty()) {
+    summary->notes.push_back("Something was put into " + folder->place().string() +
+                             " while the export ran. It is in " + folder->leftOver().string() + ".");
+  }
   return summary;
 }
 
@@ -91,6 +123,12 @@ const std::vector<std::string>& datasetFormatNames() {
 
 bool hasImages(DatasetFormat format) { return format <= DatasetFormat::foundationpose; }
 
+bool hasIgnoreRegions(DatasetFormat format) {
+  return format == DatasetFormat::coco || format == DatasetFormat::masks || format == DatasetFormat::voc;
+}
+
+bool joinsScans(DatasetFormat format) { return format <= DatasetFormat::labelstudio; }
+
 Result<DatasetFormat> parseDatasetFormat(std::string_view name) {
   const auto& names = datasetFormatNames();
   const auto found = std::find(names.begin(), names.end(), name);
@@ -107,7 +145,8 @@ Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& opti
   if (!choice) return fail(choice.error());
   const std::vector<KeyFrameInfo>* const frames = &choice->frames;
   ExportPreview preview;
-  preview.regions = static_cast<int>(chooseRegions(*regions, options.background).size());
+  preview.regions =
+      static_cast<int>(chooseRegions(*regions, options.background, options.choices).exported.size());
   double voxels = 0;
   for (const LabeledRegion& region : *regions) voxels += region.voxels;
   if (!hasImages(options.format)) {
@@ -131,13 +170,19 @@ Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& opti
 Result<ExportSummary> exportDataset(LabeledScan& scan, const ExportOptions& options,
                                     const ExportProgressCallback& progress, const std::stop_token& cancel) {
   const WriteFormat write = kWriters.at(static_cast<std::size_t>(options.format));
-  return exportWith(write, scan, options, progress, cancel);
+  return exportWith(ExportScans(scan), {options, write, progress, cancel});
+}
+
+Result<ExportSummary> exportProject(ProjectToExport project, const ExportOptions& options,
+                                    const ExportProgressCallback& progress, const std::stop_token& cancel) {
+  const WriteFormat write = kWriters.at(static_cast<std::size_t>(options.format));
+  return exportWith(ExportScans(std::move(project)), {options, write, progress, cancel});
 }
 
 Result<ExportSummary> exportCenteredMesh(LabeledScan& scan, const ExportOptions& options,
                                          const ExportProgressCallback& progress,
                                          const std::stop_token& cancel) {
-  return exportWith(exportCenteredObjects, scan, options, progress, cancel);
+  return exportWith(ExportScans(scan), {options, exportCenteredObjects, progress, cancel});
 }
 
 }  // namespace scantrove

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/dataset/export_choices.h"
 #include "core/dataset/labeled_scan.h"
+#include "core/dataset/scan_split.h"
 
 namespace scantrove {
 
@@ -35,6 +37,12 @@ enum class DatasetFormat {
 /// Whether the format consists of key frames with masks; the others are clouds, meshes or a trajectory.
 [[nodiscard]] bool hasImages(DatasetFormat format);
 
+/// Whether the format can mark regions that a learner ignores: coco, masks, voc.
+[[nodiscard]] bool hasIgnoreRegions(DatasetFormat format);
+
+/// Whether the scans of a project share the files of the format; else each has a folder of its own.
+[[nodiscard]] bool joinsScans(DatasetFormat format);
+
 /// Error: names `name` and lists the formats.
 [[nodiscard]] Result<DatasetFormat> parseDatasetFormat(std::string_view name);
 
@@ -46,6 +54,8 @@ struct ExportOptions {
   bool include_unfit = false;    ///< include frames that are blurred, or whose depth and colour do not fit
   std::string license = {};      ///< name or text; empty: none was given
   bool checked_only = false;     ///< only frames whose review is checked
+  ExportChoices choices = {};
+  bool dry_run = false;  ///< computes the summary and writes nothing
 };
 
 /// The progress of an export: `done` of `total` steps, and the next one ("frame 120").
@@ -63,6 +73,14 @@ struct ClassCount {
   std::uint64_t pixels = 0;  ///< of the masks
 };
 
+/// The content of one split of a data set.
+struct SplitCount {
+  DatasetSplit split = DatasetSplit::train;
+  int scans = 0;  ///< of a project; 0: frames of one scan are split
+  int images = 0;
+  std::vector<ClassCount> classes;  ///< by name
+};
+
 /// The result of an export.
 struct ExportSummary {
   std::filesystem::path folder;
@@ -70,6 +88,9 @@ struct ExportSummary {
   int regions = 0;      ///< exported: with a name or an object, or due to `background`
   int annotations = 0;  ///< masks in images, one for each region or object; without images: objects
   std::vector<ClassCount> classes;  ///< by name; sums of the annotations
+  std::vector<SplitCount> splits;   ///< in the order of DatasetSplit; empty: the data set is not split
+  int scans = 1;
+  int unlabeled = 0;  ///< objects that images show and that have no label (UnlabeledObjects)
   std::uint64_t points = 0, faces = 0;
   std::uint64_t bytes = 0;
   std::vector<std::string> skipped;  ///< a sentence for each key frame that was left out
@@ -88,10 +109,11 @@ struct ExportPreview {
 [[nodiscard]] Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& options);
 
 /// Writes `scan` to `options.folder` atomically: into `FOLDER.part-XXXXXX` beside it, which is renamed when
-/// all files are complete. An unreadable or unfit key frame is skipped and named in the summary. `progress`
-/// is called on this thread, and `cancel` checked, before each step. Error: a folder that is not empty;
-/// nothing to export; every key frame unusable; the scan's map unreadable; a full or read-only disk (names
-/// the path and the remedy); cancelled. Nothing is left behind then.
+/// all files are complete. A data set of the same format that is there already is replaced, as far as nobody
+/// has changed it (ExportRecord). An unreadable or unfit key frame is skipped and named in the summary.
+/// `progress` is called on this thread, and `cancel` checked, before each step. Error: a folder with anything
+/// else; nothing to export; every key frame unusable; the scan's map unreadable; a full or read-only disk
+/// (names the path and the remedy); cancelled. Nothing is left behind then.
 [[nodiscard]] Result<ExportSummary> exportDataset(LabeledScan& scan, const ExportOptions& options,
                                                   const ExportProgressCallback& progress = {},
                                                   const std::stop_token& cancel = {});

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/dataset/scan_list.h"
+
 namespace scantrove {
 namespace {
 
@@ -31,7 +33,7 @@ std::string_view aboutFiles(DatasetFormat format) {
       return "Ultralytics segments. Each line of `labels/` is one instance: its class, then x and y of its\n"
              "outline as fractions of the image's size. Thin bridges join the pieces and holes of an "
              "instance.\n"
-             "The last fifth of the frames is for validation.\n";
+             "In a data set of one scan the last frames are for validation.\n";
     case DatasetFormat::masks:
       return "`masks/` has 16-bit images of numbers, 0 where nothing is exported; `labels.json` says what "
              "each\n"
@@ -46,7 +48,7 @@ std::string_view aboutFiles(DatasetFormat format) {
              "order\n"
              "of the annotation. VOC's border of value 255 is left out: every pixel is decided. "
              "`ImageSets/`\n"
-             "has the last fifth of the frames for validation.\n";
+             "has the last frames for validation, if the data set is of one scan.\n";
     case DatasetFormat::labelstudio:
       return "Label Studio. Make a project with `label-config.xml` as its labelling interface. Start Label\n"
              "Studio with `LABEL_STUDIO_LOCAL_FILES_SERVING_ENABLED=true` and\n"
@@ -140,13 +142,81 @@ std::string originOf(const Eigen::Vector3d& origin) {
 std::string imagesOf(const ExportJob& job, const ExportSummary& summary) {
   if (!hasImages(job.options().format)) return {};
   std::string text = fmt::format(
-      "\n## Images\n\n{} {} of the scan; NNNNNN in a name is the number of the frame in its recording. "
+      "\n## Images\n\n{} {} of the {}; NNNNNN in a name is the number of the frame in its recording. "
       "Colour\n"
       "images are upright 8-bit RGB of the recorded size. Masks show the final labels of the scan from each\n"
       "frame's camera, cut off where something is in front, with outlines along edges of depth and colour.\n",
-      summary.images, job.options().all_frames ? "stored frames" : "key frames");
+      summary.images, job.options().all_frames ? "stored frames" : "key frames",
+      job.scans().isProject() ? "scans" : "scan");
   if (!summary.skipped.empty())
     text += fmt::format("{} more frames were unusable or unfit and left out.\n", summary.skipped.size());
+  return text;
+}
+
+/// The scans of a project, and what differs from a data set of one scan.
+std::string scansOf(const ExportJob& job) {
+  if (!job.scans().isProject()) return {};
+  const DatasetFormat format = job.options().format;
+  const bool has_prefixes = joinsScans(format) && format != DatasetFormat::bop;
+  std::string text = fmt::format("\n## Scans\n\n| scan | {} | split | images |\n|---|---|---|---:|\n",
+                                 has_prefixes ? "names begin with" : "folder");
+  for (const DatasetPart& part : job.scans().parts()) {
+    text +=
+        fmt::format("| {} | {} | {} | {} |\n", markdown(part.name), markdown(placeInDataset(part, format)),
+                    part.split ? splitName(*part.split) : "", part.images);
+  }
+  text += "\n`scans.json` has the same. Ids of images, annotations and objects are unique over all scans.\n";
+  if (job.scans().isSplit()) {
+    text += "Scans are split, never the frames of one scan: neighbours in time are similar.\n";
+    if (format == DatasetFormat::coco) text += "Each split has its own `annotations/instances_*.json`.\n";
+  }
+  return text;
+}
+
+/// What becomes of objects without a label.
+std::string unlabeledIn(const ExportOptions& options) {
+  if (options.choices.unlabeled != UnlabeledObjects::ignore || !hasIgnoreRegions(options.format)) return {};
+  const std::string start = "\nObjects without a label are marked, so that a learner ignores them: ";
+  if (options.format == DatasetFormat::masks) return start + "their pixels are 65535 in `masks/`.\n";
+  if (options.format == DatasetFormat::voc) {
+    return start +
+           "their pixels are 255 in\n`SegmentationClass/` and `SegmentationObject/`, VOC's value for void.\n";
+  }
+  return start +
+         "one annotation for each\nimage, with `iscrowd` 1 and the category `unlabelled`. Trainers leave "
+         "crowds "
+         "out. pycocotools compares\neach category apart, so it ignores them with `params.useCats = 0` only; "
+         "CVAT "
+         "shows them as masks.\n";
+}
+
+/// Which labels were chosen.
+std::string choicesOf(const ExportOptions& options) {
+  const ExportChoices& choices = options.choices;
+  std::string text = options.background ? " Background and rejected regions are included.\n"
+                                        : " Regions without a name or an object are not included.\n";
+  if (choices.labels == ExportedLabels::named) text += "Only regions with a name are included.\n";
+  if (choices.labels == ExportedLabels::confirmed) text += "Only confirmed objects are included.\n";
+  if (!choices.classes.empty()) {
+    text += "Only these classes are included:";
+    for (const std::string& name : choices.classes)
+      text += (name == choices.classes.front() ? " " : ", ") + markdown(name);
+    text += ".\n";
+  }
+  return text + unlabeledIn(options);
+}
+
+std::string splitCountsOf(const ExportSummary& summary) {
+  if (summary.splits.empty()) return {};
+  std::string text =
+      "\n## Splits\n\n| split | class | images | instances | pixels |\n|---|---|---:|---:|---:|\n";
+  for (const SplitCount& split : summary.splits) {
+    text += fmt::format("| {} | all | {} | | |\n", splitName(split.split), split.images);
+    for (const ClassCount& count : split.classes) {
+      text += fmt::format("| {} | {} | {} | {} | {} |\n", splitName(split.split), markdown(count.name),
+                          count.images, count.instances, count.pixels);
+    }
+  }
   return text;
 }
 
@@ -172,18 +242,21 @@ Result<void> writeReadme(ExportJob& job) {
   const ExportSummary& summary = job.summary();
   const ExportOptions& options = job.options();
   const auto name = datasetFormatNames().at(static_cast<std::size_t>(options.format));
-  std::string text = "# " + markdown(job.scan().name()) + "\n\nA data set of the format `" + name +
-                     "`, which Scantrove " + programVersion() + " made of one RGB-D scan.\n\n## Files\n\n" +
-                     std::string(aboutFiles(options.format));
-  text += originOf(job.scan().origin());
+  std::string text =
+      "# " + markdown(job.scans().title()) + "\n\nA data set of the format `" + name + "`, which Scantrove " +
+      programVersion() + " made of " +
+      (job.scans().isProject() ? std::to_string(summary.scans) + " RGB-D scans" : "one RGB-D scan") +
+      ".\n\n## Files\n\n" + std::string(aboutFiles(options.format));
+  if (!job.scans().isProject()) text += originOf(job.part().origin);
+  text += scansOf(job);
   text += imagesOf(job, summary);
   text +=
       "\n## Labels\n\nThe scan was segmented in 3D; persons and a catalogue of objects named its regions. A "
       "region or\nobject keeps its number in every export of the scan.";
-  text += options.background ? " Background and rejected regions are included.\n"
-                             : " Regions without a name or an object are not included.\n";
+  text += choicesOf(options);
   for (const std::string& note : summary.notes) text += "\n" + markdown(note) + "\n";
   text += countsOf(summary, hasImages(options.format));
+  if (hasImages(options.format)) text += splitCountsOf(summary);
   text += "\n## License\n\n";
   const bool has_license = !licenseName(options.license).empty();
   text += has_license

@@ -19,7 +19,6 @@ namespace scantrove {
 namespace {
 
 constexpr double kMillimetersPerMeter = 1000;
-const std::string kSceneFolder = "000001/";
 
 ExportJson rowByRow(const Eigen::Matrix3d& matrix) {
   ExportJson list = ExportJson::array();
@@ -45,31 +44,27 @@ class BopScene {
  public:
   explicit BopScene(ExportJob& job) : job_(job) {}
 
-  Result<void> writeModels() {
-    const auto mesh = job_.scan().mesh();
-    if (!mesh) return fail(mesh.error());
-    SCANTROVE_TRY(checkMesh(*mesh));
-    const auto frames = job_.scan().keyFrames(false);
-    if (!frames) return fail(frames.error());
-    models_ = bopModelsOf(*mesh, job_.chosen(), upDirection(*frames, *mesh));
-    for (const LabeledRegion& region : job_.chosen()) class_names_[region.id] = classOf(region);
-    ExportJson infos = ExportJson::object();
-    for (const auto& [region, model] : models_) {
-      const LabeledMesh mesh_mm = model.meshInMillimeters();
-      const std::string name = fmt::format("models/obj_{:06}.ply", region);
-      SCANTROVE_TRY(job_.write(name, encodePly(mesh_mm, {.label = false}, "millimetres, z up")));
-      infos[std::to_string(region)] = bopModelInfo(mesh_mm);
-      job_.summary().points += mesh_mm.vertices.size();
-      job_.summary().faces += mesh_mm.faces.size();
-    }
-    return writeJson("models/models_info.json", infos);
+  /// Begins the scene of a scan: "000001/", in a split project "train/000001/".
+  Result<void> beginScan() {
+    const DatasetPart& part = job_.part();
+    folder_ = (part.split ? splitName(*part.split) + "/" : "") + fmt::format("{:06}/", part.number);
+    models_.clear();
+    class_names_.clear();
+    for (ExportJson* scene : {&cameras_, &poses_, &infos_}) *scene = ExportJson::object();
+    return writeModels();
+  }
+
+  Result<void> endScan() {
+    SCANTROVE_TRY(writeJson(folder_ + "scene_camera.json", cameras_));
+    SCANTROVE_TRY(writeJson(folder_ + "scene_gt.json", poses_));
+    return writeJson(folder_ + "scene_gt_info.json", infos_);
   }
 
   Result<void> add(const LabeledImage& image) {
     const std::string key = std::to_string(image.frame.index);
     const cv::Mat depth = depthInUnits(image.depth_m, image.frame.meters_per_unit);
-    SCANTROVE_TRY(job_.write(kSceneFolder + "rgb/" + image.image_name, image.image_bytes));
-    SCANTROVE_TRY(job_.write(kSceneFolder + "depth/" + image.stem + ".png", encodePng(depth)));
+    SCANTROVE_TRY(job_.write(folder_ + "rgb/" + image.image_name, image.image_bytes));
+    SCANTROVE_TRY(job_.write(folder_ + "depth/" + image.stem + ".png", encodePng(depth)));
     describeCamera(image, key);
     poses_[key] = ExportJson::array();
     infos_[key] = ExportJson::array();
@@ -78,14 +73,33 @@ class BopScene {
   }
 
   Result<void> finish() {
-    SCANTROVE_TRY(writeJson(kSceneFolder + "scene_camera.json", cameras_));
-    SCANTROVE_TRY(writeJson(kSceneFolder + "scene_gt.json", poses_));
-    SCANTROVE_TRY(writeJson(kSceneFolder + "scene_gt_info.json", infos_));
+    SCANTROVE_TRY(writeJson("models/models_info.json", model_infos_));
     SCANTROVE_TRY(writeJson("camera.json", camera_));
-    return writeJson("labels.json", legendOf(job_.chosen(), job_.scan().origin()));
+    return writeJson("labels.json", labels_);
   }
 
  private:
+  Result<void> writeModels() {
+    const auto mesh = job_.scan().mesh();
+    if (!mesh) return fail(mesh.error());
+    SCANTROVE_TRY(checkMesh(*mesh));
+    const auto frames = job_.scan().keyFrames(false);
+    if (!frames) return fail(frames.error());
+    models_ = bopModelsOf(*mesh, job_.chosen(), upDirection(*frames, *mesh));
+    for (const LabeledRegion& region : job_.chosen()) class_names_[region.id] = classOf(region);
+    addToLegend(labels_, legendOf(job_.chosen(), job_.scan().origin()), job_.part());
+    for (const auto& [region, model] : models_) {
+      const LabeledMesh mesh_mm = model.meshInMillimeters();
+      const std::uint32_t id = job_.part().idOf(region);
+      const std::string name = fmt::format("models/obj_{:06}.ply", id);
+      SCANTROVE_TRY(job_.write(name, encodePly(mesh_mm, {.label = false}, "millimetres, z up")));
+      model_infos_[std::to_string(id)] = bopModelInfo(mesh_mm);
+      job_.summary().points += mesh_mm.vertices.size();
+      job_.summary().faces += mesh_mm.faces.size();
+    }
+    return {};
+  }
+
   Result<void> writeJson(const std::string& name, const ExportJson& json) {
     return job_.write(name, jsonByLines(json));
   }
@@ -113,15 +127,15 @@ class BopScene {
     const int inside = cv::countNonZero(mask);
     if (inside == 0) return {};
     const std::string file = fmt::format("/{}_{:06}.png", image.stem, poses_[key].size());
-    SCANTROVE_TRY(job_.write(kSceneFolder + "mask" + file, encodePng(mask)));
-    SCANTROVE_TRY(job_.write(kSceneFolder + "mask_visib" + file, encodePng(visible)));
+    SCANTROVE_TRY(job_.write(folder_ + "mask" + file, encodePng(mask)));
+    SCANTROVE_TRY(job_.write(folder_ + "mask_visib" + file, encodePng(visible)));
     const Eigen::Isometry3d T_camera_model = image.T_world_camera.inverse() * model.T_world_model;
     poses_[key].push_back({{"cam_R_m2c", rowByRow(T_camera_model.linear())},
                            {"cam_t_m2c", millimetersOf(T_camera_model.translation())},
-                           {"obj_id", region}});
+                           {"obj_id", job_.part().idOf(region)}});
     const int all = inside + whole.pixels - cv::countNonZero(rendered);
     const int seen = cv::countNonZero(visible);
-    job_.countMask(class_names_.at(region), seen);
+    job_.counts().countMask(class_names_.at(region), seen);
     cv::Mat valid;
     cv::bitwise_and(mask, depth > 0, valid);
     const cv::Rect box = whole.tightBox() | boxOf(visible);
@@ -138,7 +152,9 @@ class BopScene {
   std::map<std::uint32_t, BopModel> models_;
   std::map<std::uint32_t, std::string> class_names_;
   ExportJson cameras_ = ExportJson::object(), poses_ = ExportJson::object(), infos_ = ExportJson::object();
-  ExportJson camera_ = ExportJson::object();
+  ExportJson camera_ = ExportJson::object(), model_infos_ = ExportJson::object(),
+             labels_ = ExportJson::object();
+  std::string folder_;  // of the scene
 };
 
 }  // namespace
@@ -146,8 +162,13 @@ class BopScene {
 Result<void> exportBop(ExportJob& job) {
   SCANTROVE_TRY(job.needRegions());
   BopScene scene(job);
-  SCANTROVE_TRY(scene.writeModels());
-  SCANTROVE_TRY(forEachLabeledImage(job, true, [&](const LabeledImage& image) { return scene.add(image); }));
+  const auto addScan = [&]() -> Result<void> {
+    SCANTROVE_TRY(scene.beginScan());
+    SCANTROVE_TRY(
+        forEachLabeledImage(job, true, [&](const LabeledImage& image) { return scene.add(image); }));
+    return scene.endScan();
+  };
+  SCANTROVE_TRY(job.forEachScan(addScan));
   return scene.finish();
 }
 

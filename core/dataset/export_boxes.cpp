@@ -68,7 +68,9 @@ ExportJson rowsAsJson(const Eigen::Matrix4d& matrix) {
 class BoxDataset {
  public:
   explicit BoxDataset(ExportJob& job)
-      : job_(job), categories_(job.scan().classes(), job.chosen()), instances_(instancesOf(job.chosen())) {}
+      : job_(job),
+        categories_(job.scans().classes(), job.scans().chosen()),
+        instances_(instancesOf(job.chosen())) {}
 
   Result<void> makeBoxes() {
     auto mesh = job_.scan().mesh();
@@ -81,8 +83,8 @@ class BoxDataset {
     LabeledMesh scene = transformed(std::move(*mesh), Eigen::Affine3f(R_scene_scan_.cast<float>()));
     const std::string ply = encodePly(scene, {}, "metres, z up, label = region id");
     SCANTROVE_TRY(job_.write("pointclouds/scene.ply", ply));
-    job_.summary().points = scene.vertices.size();
-    job_.summary().faces = scene.faces.size();
+    job_.summary().points += scene.vertices.size();
+    job_.summary().faces += scene.faces.size();
     const auto parts =
         splitByRegion(withInstanceIds(std::move(scene), instances_), regionsStandingFor(instances_));
     for (const ExportInstance& instance : instances_) {
@@ -113,7 +115,7 @@ class BoxDataset {
       const int pixels = cv::countNonZero(instance.maskIn(image));
       if (pixels == 0) continue;
       objects.push_back(sunObject(instance, box->second, T_level_scene));
-      job_.countMask(instance.class_name, pixels);
+      job_.counts().countMask(instance.class_name, pixels);
     }
     SCANTROVE_TRY(writeImages(image, folder));
     Eigen::Matrix3d K = Eigen::Matrix3d::Identity();

@@ -12,7 +12,7 @@ Result<LabeledMesh> readCloud(ExportJob& job) {
   SCANTROVE_TRY(job.scan().forEachPoint([&](const SurfacePoint& point) {
     if (point.position_world_m.allFinite()) cloud.vertices.push_back(point);
   }));
-  job.summary().points = cloud.vertices.size();
+  job.summary().points += cloud.vertices.size();
   SCANTROVE_TRY(job.step(1, 2, "cloud"));
   return cloud;
 }

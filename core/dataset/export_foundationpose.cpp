@@ -92,12 +92,17 @@ class FoundationPoseFolders {
       if (cv::countNonZero(measured) < kMinPixelsWithDepth) continue;
       SCANTROVE_TRY(encodeShared(image, depth, shared));
       SCANTROVE_TRY(addTo(folderOf(instance, camera), image, shared, mask, model->second));
-      job_.countMask(instance.class_name, cv::countNonZero(mask));
+      job_.counts().countMask(instance.class_name, cv::countNonZero(mask));
     }
     return {};
   }
 
   Result<void> finish() {
+    if (folders_.empty() && job_.scans().isProject()) {
+      job_.summary().notes.push_back("No object of the scan " + job_.part().name +
+                                     " has a surface and images with its depth.");
+      return {};
+    }
     if (folders_.empty()) {
       return fail("No object of the scan " + job_.scan().name() + " has a surface and images with its depth.",
                   "Scan the objects from closer by, or export mesh.");

@@ -32,7 +32,12 @@ std::string labelConfig(const CategoryList& categories) {
 class LabelStudioTasks {
  public:
   explicit LabelStudioTasks(ExportJob& job)
-      : job_(job), categories_(job.scan().classes(), job.chosen()), instances_(instancesOf(job.chosen())) {}
+      : job_(job), categories_(job.scans().classes(), job.scans().chosen()) {}
+
+  void beginScan() {
+    instances_ = instancesOf(job_.chosen());
+    addToLegend(legend_, instanceLegend(instances_), job_.part());
+  }
 
   Result<void> add(const LabeledImage& image) {
     SCANTROVE_TRY(job_.write("images/" + image.image_name, image.image_bytes));
@@ -42,16 +47,17 @@ class LabelStudioTasks {
       const int pixels = cv::countNonZero(mask);
       if (pixels == 0) continue;
       results.push_back(resultOf(instance, image, mask));
-      job_.countMask(instance.class_name, pixels);
+      job_.counts().countMask(instance.class_name, pixels);
     }
     ExportJson annotation = ExportJson::object();
     annotation["result"] = std::move(results);
     // Text, because a list of numbers takes four times the memory as JSON values.
-    const ExportJson task = {{"data",
-                              {{"image", "/data/local-files/?d=images/" + image.image_name},
-                               {"scan", validUtf8(job_.scan().name())},
-                               {"frame", image.frame.index}}},
-                             {"annotations", ExportJson::array({annotation})}};
+    ExportJson task = {{"data",
+                        {{"image", "/data/local-files/?d=images/" + image.image_name},
+                         {"scan", validUtf8(job_.part().name)},
+                         {"frame", image.frame.index}}},
+                       {"annotations", ExportJson::array({annotation})}};
+    if (job_.part().split) task["data"]["split"] = splitName(*job_.part().split);
     tasks_ +=
         (tasks_.empty() ? "[\n" : ",\n") + task.dump(-1, ' ', false, ExportJson::error_handler_t::replace);
     return {};
@@ -60,12 +66,14 @@ class LabelStudioTasks {
   Result<void> finish() {
     SCANTROVE_TRY(job_.write("tasks.json", tasks_ + "\n]\n"));
     SCANTROVE_TRY(job_.write("label-config.xml", labelConfig(categories_)));
-    return job_.write("labels.json", jsonByLines(instanceLegend(instances_)));
+    return job_.write("labels.json", jsonByLines(legend_));
   }
 
  private:
-  static ExportJson resultOf(const ExportInstance& instance, const LabeledImage& image, const cv::Mat& mask) {
-    return {{"id", fmt::format("instance-{}-frame-{}", instance.id, image.frame.index)},
+  [[nodiscard]] ExportJson resultOf(const ExportInstance& instance, const LabeledImage& image,
+                                    const cv::Mat& mask) const {
+    const std::uint32_t id = job_.part().idOf(instance.id);
+    return {{"id", fmt::format("instance-{}-frame-{}", id, image.frame.index)},
             {"type", "brushlabels"},
             {"from_name", kFromName},
             {"to_name", kToName},
@@ -82,6 +90,7 @@ class LabelStudioTasks {
   ExportJob& job_;
   CategoryList categories_;
   std::vector<ExportInstance> instances_;
+  ExportJson legend_ = ExportJson::object();
   std::string tasks_;
 };
 
@@ -90,7 +99,10 @@ class LabelStudioTasks {
 Result<void> exportLabelStudio(ExportJob& job) {
   SCANTROVE_TRY(job.needRegions());
   LabelStudioTasks tasks(job);
-  SCANTROVE_TRY(forEachLabeledImage(job, true, [&](const LabeledImage& image) { return tasks.add(image); }));
+  SCANTROVE_TRY(job.forEachScan([&] {
+    tasks.beginScan();
+    return forEachLabeledImage(job, true, [&](const LabeledImage& image) { return tasks.add(image); });
+  }));
   return tasks.finish();
 }
 

@@ -84,12 +84,12 @@ Result<void> writeMeshes(ExportJob& job, ObjectPlace place) {
     if (part == parts.end()) continue;
     scene.push_back(glbPartOf(&region, part->second, y_up, origin));
     SCANTROVE_TRY(writeObject(job, region, part->second, y_up, place));
-    job.countObject(classOf(region));
+    job.counts().countObject(classOf(region), job.part().split);
   }
   SCANTROVE_TRY(job.step(done, total, "whole scene"));
   SCANTROVE_TRY(writeSurface(job, "scene", job.scan().name(), *mesh, origin, scene));
-  job.summary().points = mesh->vertices.size();
-  job.summary().faces = mesh->faces.size();
+  job.summary().points += mesh->vertices.size();
+  job.summary().faces += mesh->faces.size();
   return job.write("labels.json", jsonByLines(legendOf(job.allRegions(), job.scan().origin())));
 }
 

@@ -86,7 +86,8 @@ Result<ExportSample> sampleExport(LabeledScan& scan, const ExportOptions& option
   }
   const auto regions = scan.regions();
   if (!regions) return fail(regions.error());
-  SCANTROVE_TRY(labelImage(scan, *read, idsOf(chooseRegions(*regions, options.background))));
+  SCANTROVE_TRY(
+      labelImage(scan, *read, idsOf(chooseRegions(*regions, options.background, options.choices).exported)));
   sample.masks = static_cast<int>(visibleRegions(read->image.regions).size());
   sample.picture = pictureWithMasks(*read);
   return sample;

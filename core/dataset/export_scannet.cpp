@@ -49,7 +49,7 @@ ExportJson aggregationOf(ExportJob& job, const LabeledMesh& mesh, const std::str
                       {"segments", ExportJson::array({region.id})},
                       {"label", classOf(region)},
                       {"name", displayName(region)}});
-    job.countObject(classOf(region));
+    job.counts().countObject(classOf(region), job.part().split);
   }
   return {{"sceneId", name},
           {"appId", "Scantrove"},
@@ -78,8 +78,8 @@ Result<void> exportScannet(ExportJob& job) {
   SCANTROVE_TRY(job.write(name + ".txt", "axisAlignment = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n" +
                                              originLine(z_up.cast<double>() * job.scan().origin()) +
                                              "sceneType = Misc.\n"));
-  job.summary().points = mesh.vertices.size();
-  job.summary().faces = mesh.faces.size();
+  job.summary().points += mesh.vertices.size();
+  job.summary().faces += mesh.faces.size();
   return {};
 }
 

@@ -1,3 +1,5 @@
+#include <cstdint>
+#include <map>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ namespace {
 
 /// 0 is background and 255 "void", the border that VOC leaves undecided.
 constexpr std::size_t kMaxNumber = 254;
+constexpr int kIgnored = 255;
 
 /// VOC's colours: the bits of an index, spread over the high bits of red, green and blue.
 std::vector<Rgb> vocPalette() {
@@ -43,7 +46,8 @@ std::string attribute(const std::string& name, const std::string& value) {
 }
 
 /// One object. Pixels count from 1, and the box includes its last ones.
-std::string objectElement(const ExportInstance& instance, const cv::Rect& box, cv::Size image) {
+std::string objectElement(const ExportInstance& instance, std::uint32_t id, const cv::Rect& box,
+                          cv::Size image) {
   const bool is_at_border =
       box.x == 0 || box.y == 0 || box.br().x == image.width || box.br().y == image.height;
   return "\t<object>\n\t\t" + element("name", xmlEscaped(instance.class_name)) + "\n\t\t" +
@@ -52,8 +56,7 @@ std::string objectElement(const ExportInstance& instance, const cv::Rect& box, c
          element("bndbox", element("xmin", box.x + 1) + element("ymin", box.y + 1) +
                                element("xmax", box.br().x) + element("ymax", box.br().y)) +
          "\n\t\t" +
-         element("attributes",
-                 attribute("name", instance.name) + attribute("instance", std::to_string(instance.id))) +
+         element("attributes", attribute("name", instance.name) + attribute("instance", std::to_string(id))) +
          "\n\t</object>\n";
 }
 
@@ -68,22 +71,27 @@ std::string labelMapName(const std::string& name) {
 class VocDataset {
  public:
   explicit VocDataset(ExportJob& job)
-      : job_(job),
-        categories_(job.scan().classes(), job.chosen()),
-        instances_(instancesOf(job.chosen())),
-        palette_(vocPalette()) {}
+      : job_(job), categories_(job.scans().classes(), job.scans().chosen()), palette_(vocPalette()) {}
 
   Result<void> begin() {
     if (categories_.all().size() > kMaxNumber) {
       return fail(std::to_string(categories_.all().size()) + " classes do not fit into images of 8 bits.",
                   "Export coco instead.");
     }
+    return {};
+  }
+
+  Result<void> beginScan() {
+    instances_ = instancesOf(job_.chosen());
+    addToLegend(legend_, instanceLegend(instances_), job_.part());
     return moveInto(split_, splitFrames(job_));
   }
 
   Result<void> add(const LabeledImage& image) {
     cv::Mat class_numbers = cv::Mat::zeros(image.regions.size(), CV_8UC1);
     cv::Mat object_numbers = class_numbers.clone();
+    const DatasetSplit split = split_.of(image.frame.index);
+    job_.counts().beginImage(split);
     std::string objects;
     std::size_t count = 0;
     for (const ExportInstance& instance : instances_) {
@@ -95,19 +103,25 @@ class VocDataset {
                     "Export coco instead.");
       class_numbers.setTo(static_cast<int>(categories_.indexOf(instance)) + 1, mask);
       object_numbers.setTo(static_cast<int>(count), mask);
-      objects += objectElement(instance, box, mask.size());
-      job_.countMask(instance.class_name, cv::countNonZero(mask));
+      objects += objectElement(instance, job_.part().idOf(instance.id), box, mask.size());
+      job_.counts().countMask(instance.class_name, cv::countNonZero(mask));
     }
-    (split_.training.contains(image.frame.index) ? train_ : val_) += image.stem + "\n";
+    if (!image.ignored.empty()) {
+      for (cv::Mat* numbers : {&class_numbers, &object_numbers}) numbers->setTo(kIgnored, image.ignored);
+    }
+    lists_[split] += image.stem + "\n";
     return write(image, objects, class_numbers, object_numbers);
   }
 
   Result<void> finish() {
     for (const char* kind : {"ImageSets/Main/", "ImageSets/Segmentation/"}) {
       const std::string folder = kind;
-      SCANTROVE_TRY(job_.write(folder + "train.txt", train_));
-      SCANTROVE_TRY(job_.write(folder + "val.txt", val_.empty() ? train_ : val_));
-      SCANTROVE_TRY(job_.write(folder + "trainval.txt", train_ + val_));
+      const std::string &train = lists_[DatasetSplit::train], &val = lists_[DatasetSplit::val];
+      SCANTROVE_TRY(job_.write(folder + "train.txt", train));
+      SCANTROVE_TRY(job_.write(folder + "val.txt", val.empty() ? train : val));
+      SCANTROVE_TRY(job_.write(folder + "trainval.txt", train + val));
+      const std::string& test = lists_[DatasetSplit::test];
+      if (!test.empty()) SCANTROVE_TRY(job_.write(folder + "test.txt", test));
     }
     std::string labels = "# label:color_rgb:parts:actions\nbackground:0,0,0::\n";
     for (std::size_t i = 0; i < categories_.all().size(); ++i) {
@@ -116,7 +130,7 @@ class VocDataset {
                 std::to_string(rgb[1]) + "," + std::to_string(rgb[2]) + "::\n";
     }
     SCANTROVE_TRY(job_.write("labelmap.txt", labels));
-    return job_.write("labels.json", jsonByLines(instanceLegend(instances_)));
+    return job_.write("labels.json", jsonByLines(legend_));
   }
 
  private:
@@ -132,7 +146,7 @@ class VocDataset {
     const std::string xml =
         "<annotation>\n\t" + element("folder", "JPEGImages") + "\n\t" +
         element("filename", image.stem + ".jpg") + "\n\t" +
-        element("source", element("database", xmlEscaped("Scantrove: " + job_.scan().name()))) + "\n\t" +
+        element("source", element("database", xmlEscaped("Scantrove: " + job_.scans().title()))) + "\n\t" +
         element("size",
                 element("width", image.K.width) + element("height", image.K.height) + element("depth", 3)) +
         "\n\t" + element("segmented", 1) + "\n" + objects + "</annotation>\n";
@@ -144,7 +158,8 @@ class VocDataset {
   std::vector<ExportInstance> instances_;
   std::vector<Rgb> palette_;
   FrameSplit split_;
-  std::string train_, val_;
+  std::map<DatasetSplit, std::string> lists_;  // names of images
+  ExportJson legend_ = ExportJson::object();
 };
 
 }  // namespace
@@ -153,8 +168,11 @@ Result<void> exportVoc(ExportJob& job) {
   SCANTROVE_TRY(job.needRegions());
   VocDataset dataset(job);
   SCANTROVE_TRY(dataset.begin());
-  SCANTROVE_TRY(
-      forEachLabeledImage(job, true, [&](const LabeledImage& image) { return dataset.add(image); }));
+  const auto addScan = [&]() -> Result<void> {
+    SCANTROVE_TRY(dataset.beginScan());
+    return forEachLabeledImage(job, true, [&](const LabeledImage& image) { return dataset.add(image); });
+  };
+  SCANTROVE_TRY(job.forEachScan(addScan));
   return dataset.finish();
 }
 

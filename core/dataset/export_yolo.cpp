@@ -2,6 +2,7 @@
 
 #include <iterator>
 #include <opencv2/core.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,19 @@ std::string yoloLine(std::size_t class_index, const std::vector<cv::Point>& outl
 class YoloSegments {
  public:
   explicit YoloSegments(ExportJob& job)
-      : job_(job), categories_(job.scan().classes(), job.chosen()), instances_(instancesOf(job.chosen())) {}
+      : job_(job), categories_(job.scans().classes(), job.scans().chosen()) {}
 
-  Result<void> chooseValidation() { return moveInto(split_, splitFrames(job_)); }
+  Result<void> beginScan() {
+    instances_ = instancesOf(job_.chosen());
+    addToLegend(legend_, legendOf(job_.chosen(), job_.scan().origin()), job_.part());
+    return moveInto(split_, splitFrames(job_));
+  }
 
   Result<void> add(const LabeledImage& image) {
-    const std::string part = split_.training.contains(image.frame.index) ? "train/" : "val/";
+    const DatasetSplit split = split_.of(image.frame.index);
+    job_.counts().beginImage(split);
+    used_.insert(split);
+    const std::string part = splitName(split) + "/";
     SCANTROVE_TRY(job_.write("images/" + part + image.image_name, image.image_bytes));
     std::string lines;
     for (const ExportInstance& instance : instances_) {
@@ -46,19 +54,20 @@ class YoloSegments {
       const auto outline = outlineOf(mask);
       if (outline.empty()) continue;
       lines += yoloLine(categories_.indexOf(instance), outline, mask.size());
-      job_.countMask(instance.class_name, cv::countNonZero(mask));
+      job_.counts().countMask(instance.class_name, cv::countNonZero(mask));
     }
     return job_.write("labels/" + part + image.stem + ".txt", lines);
   }
 
   Result<void> finish() {
-    std::string yaml = "# " + onOneLine("Scantrove: " + job_.scan().name()) +
+    std::string yaml = "# " + onOneLine("Scantrove: " + job_.scans().title()) +
                        "\ntrain: images/train\nval: images/" +
-                       (split_.has_validation ? "val" : "train  # too few images for others") + "\nnames:\n";
+                       (used_.contains(DatasetSplit::val) ? "val" : "train  # too few images for others") +
+                       "\n" + (used_.contains(DatasetSplit::test) ? "test: images/test\n" : "") + "names:\n";
     for (std::size_t i = 0; i < categories_.all().size(); ++i)
       yaml += "  " + std::to_string(i) + ": " + yamlQuoted(categories_.all()[i].name) + "\n";
     SCANTROVE_TRY(job_.write("data.yaml", yaml));
-    return job_.write("labels.json", jsonByLines(legendOf(job_.chosen(), job_.scan().origin())));
+    return job_.write("labels.json", jsonByLines(legend_));
   }
 
  private:
@@ -66,6 +75,8 @@ class YoloSegments {
   CategoryList categories_;
   std::vector<ExportInstance> instances_;
   FrameSplit split_;
+  std::set<DatasetSplit> used_;
+  ExportJson legend_ = ExportJson::object();
 };
 
 }  // namespace
@@ -73,9 +84,11 @@ class YoloSegments {
 Result<void> exportYolo(ExportJob& job) {
   SCANTROVE_TRY(job.needRegions());
   YoloSegments segments(job);
-  SCANTROVE_TRY(segments.chooseValidation());
-  SCANTROVE_TRY(
-      forEachLabeledImage(job, true, [&](const LabeledImage& image) { return segments.add(image); }));
+  const auto addScan = [&]() -> Result<void> {
+    SCANTROVE_TRY(segments.beginScan());
+    return forEachLabeledImage(job, true, [&](const LabeledImage& image) { return segments.add(image); });
+  };
+  SCANTROVE_TRY(job.forEachScan(addScan));
   return segments.finish();
 }
 

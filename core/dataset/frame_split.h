@@ -1,17 +1,22 @@
 #pragma once
+#include <optional>
 #include <set>
-#include <string>
 
 #include "core/base/result.h"
 #include "core/dataset/export_job.h"
 
 namespace scantrove {
 
-/// The frames of an export for training and for validation. The last fifth of the frames (if at least five)
-/// is for validation, because neighbours in time are similar.
+/// The split of the frames of the scan in work, for formats that always have one. A scan of a project is in
+/// one split as a whole, for training if the project is not split. The frames of a data set of one scan are
+/// divided: its last ones are for validation, because neighbours in time are similar.
 struct FrameSplit {
-  std::set<int> training;  ///< KeyFrameInfo::index
-  bool has_validation = false;
+  DatasetSplit whole = DatasetSplit::train;
+  std::set<int> validation;  ///< KeyFrameInfo::index
+
+  [[nodiscard]] DatasetSplit of(int frame) const {
+    return validation.contains(frame) ? DatasetSplit::val : whole;
+  }
 };
 
 /// Splits framesToExport() with colour. Error: as of framesToExport().

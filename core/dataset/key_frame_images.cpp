@@ -64,6 +64,38 @@ void keepOnly(cv::Mat& regions, const std::unordered_set<int>& kept) {
   }
 }
 
+/// With the scan, if there are several.
+std::string nameIn(const ExportJob& job, const KeyFrameInfo& frame) {
+  return (job.scans().isProject() ? job.part().name + ": " : "") + nameOf(frame);
+}
+
+bool ignoresUnlabeled(const ExportOptions& options) {
+  return options.choices.unlabeled == UnlabeledObjects::ignore && hasIgnoreRegions(options.format);
+}
+
+/// Moves the regions to ignore from the labels into a mask of their own.
+void takeIgnored(LabeledImage& image, const std::unordered_set<int>& ignored) {
+  image.ignored = cv::Mat::zeros(image.regions.size(), CV_8UC1);
+  for (int y = 0; y < image.regions.rows && !ignored.empty(); ++y) {
+    auto* row = image.regions.ptr<int>(y);
+    auto* mask = image.ignored.ptr(y);
+    for (int x = 0; x < image.regions.cols; ++x) {
+      if (row[x] == 0 || !ignored.contains(row[x])) continue;
+      mask[x] = 255;
+      row[x] = 0;
+    }
+  }
+}
+
+/// Whether scans share folders of images. Those of BOP are scenes.
+bool hasPrefixes(DatasetFormat format) { return joinsScans(format) && format != DatasetFormat::bop; }
+
+void addPrefix(LabeledImage& image, const std::string& prefix) {
+  if (prefix.empty()) return;
+  image.stem = prefix + "_" + image.stem;
+  if (!image.image_name.empty()) image.image_name = prefix + "_" + image.image_name;
+}
+
 /// Why frames are unfit, by their index. Error: cancelled.
 Result<std::map<int, std::string>> findUnfit(ExportJob& job, const std::vector<KeyFrameInfo>& frames) {
   FrameFitness fitness;
@@ -131,18 +163,18 @@ Result<std::vector<KeyFrameInfo>> framesToExport(ExportJob& job, bool needs_colo
   if (!choice) return fail(choice.error());
   std::vector<KeyFrameInfo>* const frames = &choice->frames;
   if (const std::string missing = choice->missing(); !missing.empty()) {
-    if (frames->empty()) {
+    if (frames->empty() && !job.scans().isProject()) {
       return fail("No image of the scan " + job.scan().name() + " can be exported: " + missing,
                   "Check key frames, or reopen them: 'scantrove session review --list' shows their states.");
     }
-    job.summary().notes.push_back(missing);
+    job.summary().notes.push_back(job.scans().isProject() ? job.scan().name() + ": " + missing : missing);
   }
-  if (frames->empty())
+  if (frames->empty() && !job.scans().isProject())
     return fail("The scan " + job.scan().name() + " has no key frames: there are no images to export.");
   std::vector<std::string>& skipped = job.summary().skipped;
   std::erase_if(*frames, [&](const KeyFrameInfo& frame) {
     const bool is_without = needs_color && frame.color_file.empty();
-    if (is_without) skipped.push_back(nameOf(frame) + " has no colour image.");
+    if (is_without) skipped.push_back(nameIn(job, frame) + " has no colour image.");
     return is_without;
   });
   if (!job.options().include_unfit) {
@@ -151,7 +183,7 @@ Result<std::vector<KeyFrameInfo>> framesToExport(ExportJob& job, bool needs_colo
     std::erase_if(*frames, [&](const KeyFrameInfo& frame) {
       const auto reason = unfit->find(frame.index);
       if (reason == unfit->end()) return false;
-      skipped.push_back(nameOf(frame) + " was left out: " + reason->second + ".");
+      skipped.push_back(nameIn(job, frame) + " was left out: " + reason->second + ".");
       ++job.summary().unfit;
       return true;
     });
@@ -164,24 +196,35 @@ Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabe
   LabeledScan& scan = job.scan();
   const auto frames = framesToExport(job, needs_color);
   if (!frames) return fail(frames.error());
-  const std::unordered_set<int> kept = idsOf(job.chosen());
-  for (const LabeledRegion& region : job.chosen()) job.countOf(classOf(region));
+  const DatasetPart& part = job.part();
+  std::unordered_set<int> ignored;
+  if (ignoresUnlabeled(job.options())) ignored = idsOf(part.unlabeled);
+  std::unordered_set<int> kept = idsOf(part.chosen);
+  kept.insert(ignored.begin(), ignored.end());
+  for (const LabeledRegion& region : part.chosen) job.counts().countOf(classOf(region));
   const auto total = static_cast<int>(frames->size());
   const int checked = job.options().include_unfit ? 0 : total;  // steps of findUnfit()
+  const int before = job.summary().images;
   int done = 0;
   for (const KeyFrameInfo& frame : *frames) {
     SCANTROVE_TRY(job.step(checked + done++, checked + total, "frame " + std::to_string(frame.index)));
     auto read = readKeyFrameImage(scan, frame);
     if (!read) {
-      job.summary().skipped.push_back(nameOf(frame) + " was left out: " + read.error().what);
+      job.summary().skipped.push_back(nameIn(job, frame) + " was left out: " + read.error().what);
       continue;
     }
     SCANTROVE_TRY(labelImage(scan, *read, kept));
-    job.beginImage();
+    if (ignoresUnlabeled(job.options())) takeIgnored(read->image, ignored);
+    if (hasPrefixes(job.options().format)) addPrefix(read->image, part.prefix);
+    job.counts().beginImage(part.split);
     SCANTROVE_TRY(use(read->image));
-    ++job.summary().images;
+    job.endImage();
   }
-  if (job.summary().images > 0) return {};
+  if (job.summary().images > before) return {};
+  if (job.scans().isProject()) {
+    job.summary().notes.push_back("No key frame of the scan " + scan.name() + " can be used.");
+    return {};
+  }
   std::string advice = needs_color ? "Without colour, export masks, ply or mesh." : "";
   if (job.summary().unfit > 0) advice = "Export unfit frames, too: --include-unfit-frames.";
   return fail("No key frame of the scan " + scan.name() + " can be used. " + job.summary().skipped.front(),

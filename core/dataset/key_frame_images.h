@@ -16,8 +16,9 @@ struct LabeledImage {
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   cv::Mat regions;          ///< CV_32SC1; exported and visible regions, else 0
+  cv::Mat ignored;          ///< CV_8UC1, nonzero: unlabelled objects to ignore; empty: none in this data set
   cv::Mat depth_m;          ///< CV_32FC1, measured depth registered to this camera; 0 = no reading
-  std::string stem;         ///< base of its file names: "000120"
+  std::string stem;         ///< base of its file names: "000120", in a project "kitchen_000120"
   std::string image_bytes;  ///< the colour image: the recorded bytes if they are JPEG or PNG with 8-bit RGB
                             ///< and without orientation; else converted to PNG; empty without colour
   std::string image_name;   ///< stem with the matching extension; empty without colour
@@ -45,15 +46,16 @@ struct KeyFrameImage {
 
 /// The key frames of the export, chosen at the first call: those with colour if `needs_color`, and unless the
 /// options include them, without frames that are unfit (FrameFitness). The others are named in the summary.
-/// Error: the scan has no key frames; cancelled.
+/// Error: the scan has no key frames (in a project there are none, then); cancelled.
 [[nodiscard]] Result<std::vector<KeyFrameInfo>> framesToExport(ExportJob& job, bool needs_color);
 
 /// Processes one frame for a format.
 using UseLabeledImage = std::function<Result<void>(const LabeledImage&)>;
 
 /// Passes every frame of framesToExport() with its labels to `use`, counts them, and reports the progress.
-/// Unreadable frames are skipped and named in the summary. Error: no frame was usable (with the first
-/// reason); an error of `use`; the map; cancelled.
+/// Unreadable frames are skipped and named in the summary; in a project, a scan without usable frames is
+/// named in the notes. Error: no frame was usable (with the first reason); an error of `use`; the map;
+/// cancelled.
 [[nodiscard]] Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabeledImage& use);
 
 /// Visible regions of `image`, by id.

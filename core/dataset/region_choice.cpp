@@ -23,19 +23,39 @@ std::string kindOf(const LabeledRegion& region) {
   return region.rejected ? "rejected" : "region";
 }
 
+/// Whether `choices` takes the label of a region that is not set aside.
+bool hasLabel(const LabeledRegion& region, const ExportChoices& choices) {
+  if (choices.labels == ExportedLabels::confirmed) return region.confirmed;
+  const bool needs_name =
+      choices.labels == ExportedLabels::named || choices.unlabeled == UnlabeledObjects::ignore;
+  return !needs_name || isNamed(region);
+}
+
+bool isOfClasses(const LabeledRegion& region, const ExportChoices& choices) {
+  return choices.classes.empty() ||
+         std::ranges::find(choices.classes, classOf(region)) != choices.classes.end();
+}
+
 }  // namespace
 
-std::vector<LabeledRegion> chooseRegions(const std::vector<LabeledRegion>& all, bool background) {
-  std::vector<LabeledRegion> chosen;
+RegionChoice chooseRegions(const std::vector<LabeledRegion>& all, bool background,
+                           const ExportChoices& choices) {
+  RegionChoice choice;
   for (const LabeledRegion& region : all) {
     const bool is_set_aside = region.background || region.rejected;
-    const bool is_something = !region.name.empty() || region.object;
-    if (is_set_aside ? background : is_something) chosen.push_back(region);
+    if (is_set_aside ? !background : region.name.empty() && !region.object) continue;
+    if (!is_set_aside && !hasLabel(region, choices)) {
+      choice.unlabeled.push_back(region);
+    } else if (isOfClasses(region, choices)) {
+      choice.exported.push_back(region);
+    }
   }
-  std::sort(chosen.begin(), chosen.end(),
-            [](const LabeledRegion& a, const LabeledRegion& b) { return a.id < b.id; });
-  return chosen;
+  for (std::vector<LabeledRegion>* regions : {&choice.exported, &choice.unlabeled})
+    std::ranges::sort(*regions, {}, &LabeledRegion::id);
+  return choice;
 }
+
+bool isNamed(const LabeledRegion& region) { return !region.name.empty() || !region.category.empty(); }
 
 std::string displayName(const LabeledRegion& region) {
   if (!region.name.empty()) return validUtf8(region.name);

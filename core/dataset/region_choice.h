@@ -2,15 +2,25 @@
 #include <string>
 #include <vector>
 
+#include "core/dataset/export_choices.h"
 #include "core/dataset/export_text.h"
 #include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
 
-/// The regions to export, by id: those with a name or an object that are neither background nor rejected;
-/// with `background` also these.
-[[nodiscard]] std::vector<LabeledRegion> chooseRegions(const std::vector<LabeledRegion>& all,
-                                                       bool background);
+/// The regions of a scan, sorted by id, in what a data set does with them.
+struct RegionChoice {
+  std::vector<LabeledRegion> exported;
+  std::vector<LabeledRegion> unlabeled;  ///< objects without the labels that `choices` asks for
+};
+
+/// Exported are regions with a name or an object that are neither background nor rejected, as far as
+/// `choices` takes their labels and classes; with `background` also background and rejected ones.
+[[nodiscard]] RegionChoice chooseRegions(const std::vector<LabeledRegion>& all, bool background,
+                                         const ExportChoices& choices);
+
+/// Whether a region has a name or a class.
+[[nodiscard]] bool isNamed(const LabeledRegion& region);
 
 /// The display name of a region: its name, else its category, else "object 7", "background", "rejected" or
 /// "region 12". Valid UTF-8.

@@ -5,22 +5,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
+#include <cstdio>
 #include <random>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "core/dataset/staged_remains.h"
+
 namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kPartSuffix = ".part-";
-constexpr std::size_t kPartLetters = 6;
 
 std::string systemReason(int code) { return std::generic_category().message(code); }
 
@@ -38,14 +36,6 @@ fs::path placeOf(const fs::path& folder) {
   return place.has_filename() ? place : place.parent_path();
 }
 
-bool isPartOf(const std::string& name, const std::string& place_name) {
-  if (name.size() != place_name.size() + kPartSuffix.size() + kPartLetters) return false;
-  if (name.compare(0, place_name.size(), place_name) != 0) return false;
-  if (name.compare(place_name.size(), kPartSuffix.size(), kPartSuffix) != 0) return false;
-  return std::all_of(name.end() - static_cast<std::ptrdiff_t>(kPartLetters), name.end(),
-                     [](unsigned char c) { return std::isalnum(c) != 0; });
-}
-
 /// Creates a folder of an unused name with the default permissions. mkdtemp would restrict it to its owner,
 /// and a process cannot read its umask without affecting other threads.
 Result<fs::path> makePartOf(const fs::path& place) {
@@ -53,61 +43,12 @@ Result<fs::path> makePartOf(const fs::path& place) {
   std::random_device random;
   std::uniform_int_distribution<std::size_t> any(0, kLetters.size() - 1);
   for (int attempt = 0; attempt < 100; ++attempt) {
-    std::string name = place.string() + std::string(kPartSuffix);
-    for (std::size_t i = 0; i < kPartLetters; ++i) name += kLetters[any(random)];
+    std::string name = place.string() + std::string(kStagedSuffix);
+    for (std::size_t i = 0; i < kStagedLetters; ++i) name += kLetters[any(random)];
     if (::mkdir(name.c_str(), 0777) == 0) return fs::path(name);
     if (errno != EEXIST) break;
   }
   return cannotMake(place, systemReason(errno));
-}
-
-/// The marker's content. It names the staged folder, so that a renamed copy does not count as ours.
-std::string markerOf(const fs::path& part) {
-  return "Scantrove has not finished this folder. The next export to the same place removes " +
-         part.filename().string() + ".\n";
-}
-
-Result<void> writeMarker(const fs::path& part, const fs::path& place) {
-  const int file = ::open((part / StagedFolder::kMarker).c_str(),
-                          O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
-  if (file < 0) return cannotMake(place, systemReason(errno));
-  const std::string text = markerOf(part);
-  const bool is_written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const int code = errno;
-  ::close(file);
-  return is_written ? Result<void>() : cannotMake(place, systemReason(code));
-}
-
-/// Whether this program created the open `folder` and has not finished it.
-bool isMarked(int folder, const fs::path& part) {
-  const int file = ::openat(folder, StagedFolder::kMarker, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) return false;
-  const std::string expected = markerOf(part);
-  std::string content(expected.size() + 1, '\0');
-  const ssize_t read = ::read(file, content.data(), content.size());
-  ::close(file);
-  content.resize(static_cast<std::size_t>(std::max<ssize_t>(read, 0)));
-  return content == expected;
-}
-
-int openFolder(const fs::path& folder) {
-  return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-}
-
-/// Removes the staged folders that killed programs left beside `place`: those with our marker that nobody
-/// has locked.
-void removeAbandoned(const fs::path& place) {
-  std::error_code ignored;
-  for (fs::directory_iterator entry(place.parent_path(), ignored), end; !ignored && entry != end;
-       entry.increment(ignored)) {
-    if (!isPartOf(entry->path().filename().string(), place.filename().string())) continue;
-    const int folder = openFolder(entry->path());
-    if (folder < 0) continue;
-    std::error_code not_removed;
-    if (isMarked(folder, entry->path()) && ::flock(folder, LOCK_EX | LOCK_NB) == 0)
-      fs::remove_all(entry->path(), not_removed);
-    ::close(folder);
-  }
 }
 
 /// Syncs the file system of `folder` once, because a data set has thousands of files.
@@ -128,29 +69,52 @@ Result<void> checkPlace(const fs::path& place) {
   if (type != fs::file_type::directory && type != fs::file_type::none && type != fs::file_type::unknown) {
     return fail(place.string() + " is there already and is no folder.", "Give the name of a new folder.");
   }
-  const bool is_empty = !failure && fs::is_empty(place, failure);
+  return {};
+}
+
+/// The record of the data set in a folder that is not empty; none: the folder is new or empty. Error: it has
+/// anything that an export of `format` did not write, or that was changed since; names it.
+Result<std::optional<ExportRecord>> replaceableIn(const fs::path& place, const std::string& format) {
+  std::error_code failure;
+  if (!fs::exists(place, failure)) return std::optional<ExportRecord>();
+  const bool is_empty = fs::is_empty(place, failure);
   if (failure) return cannotMake(place, failure.message());
-  if (is_empty) return {};
-  return fail("The folder " + place.string() + " is not empty.",
-              "Give a new folder for the export, or empty this one.");
+  if (is_empty) return std::optional<ExportRecord>();
+  std::optional<ExportRecord> record;
+  if (!format.empty()) SCANTROVE_TRY(moveInto(record, ExportRecord::read(place)));
+  if (!record) {
+    return fail("The folder " + place.string() + " is not empty.",
+                "Give a new folder for the export, or empty this one.");
+  }
+  if (record->format() != format) {
+    return fail("The folder " + place.string() + " has a data set of the format " + record->format() +
+                    ", which an export of " + format + " does not replace.",
+                "Give another folder.");
+  }
+  SCANTROVE_TRY(record->checkUnchanged(place));
+  return record;
 }
 
 }  // namespace
 
-StagedFolder::StagedFolder(fs::path place, fs::path path, int lock)
-    : place_(std::move(place)), path_(std::move(path)), lock_(lock) {}
+StagedFolder::StagedFolder(fs::path place, fs::path path, int lock, std::optional<ExportRecord> replaced)
+    : place_(std::move(place)), path_(std::move(path)), lock_(lock), replaced_(std::move(replaced)) {}
 
 StagedFolder::StagedFolder(StagedFolder&& other) noexcept
     : place_(std::move(other.place_)),
       path_(std::exchange(other.path_, {})),
-      lock_(std::exchange(other.lock_, -1)) {}
+      left_over_(std::move(other.left_over_)),
+      lock_(std::exchange(other.lock_, -1)),
+      replaced_(std::move(other.replaced_)) {}
 
 StagedFolder& StagedFolder::operator=(StagedFolder&& other) noexcept {
   if (this != &other) {
     discard();
     place_ = std::move(other.place_);
     path_ = std::exchange(other.path_, {});
+    left_over_ = std::move(other.left_over_);
     lock_ = std::exchange(other.lock_, -1);
+    replaced_ = std::move(other.replaced_);
   }
   return *this;
 }
@@ -164,7 +128,9 @@ void StagedFolder::discard() noexcept {
   if (lock_ >= 0) ::close(std::exchange(lock_, -1));
 }
 
-Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
+Result<StagedFolder> StagedFolder::create(const fs::path& folder) { return createOver(folder, ""); }
+
+Result<StagedFolder> StagedFolder::createOver(const fs::path& folder, const std::string& format) {
   if (folder.empty()) return fail("No folder was given for the export.", "Give the name of a new folder.");
   std::error_code failure;
   if (fs::is_symlink(folder, failure) && fs::status(folder, failure).type() == fs::file_type::not_found) {
@@ -173,35 +139,90 @@ Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
                 "Make that folder, or give another one.");
   }
   const fs::path place = placeOf(folder);
+  restoreReplacedFolder(place);
   SCANTROVE_TRY(checkPlace(place));
+  auto replaced = replaceableIn(place, format);
+  if (!replaced) return fail(replaced.error());
   fs::create_directories(place.parent_path(), failure);
   if (failure) return cannotMake(place, failure.message());
-  removeAbandoned(place);
+  removeAbandonedFolders(place);
   const Result<fs::path> part = makePartOf(place);
   if (!part) return fail(part.error());
-  const int lock = openFolder(*part);
+  const int lock = openStagedFolder(*part);
   // If a file system has no locks, an unlocked folder is accepted.
   if (lock >= 0) (void)::flock(lock, LOCK_EX | LOCK_NB);
-  StagedFolder staged(place, *part, lock);
-  SCANTROVE_TRY(writeMarker(*part, place));
+  StagedFolder staged(place, *part, lock, std::move(*replaced));
+  if (!writeStagedMarker(*part, stagedMarkerOf(*part))) return cannotMake(place, systemReason(errno));
   return staged;
 }
 
 Result<void> StagedFolder::commit() {
   SCANTROVE_TRY(flushDiskOf(path_));
-  // Removed before the rename: a finished folder never contains the marker, even after a crash.
-  if (::unlink((path_ / kMarker).c_str()) != 0 && errno != ENOENT)
-    return cannotMake(place_, systemReason(errno));
-  if (::rename(path_.c_str(), place_.c_str()) != 0) {
-    const int code = errno;
-    if (code == ENOTEMPTY || code == EEXIST || code == ENOTDIR) {
-      return fail("Something has been put into " + place_.string() + " while the export ran.",
-                  "Give another folder and export again.");
-    }
-    return cannotMake(place_, systemReason(code));
+  if (replaced_ && fs::exists(place_)) {
+    SCANTROVE_TRY(replace());
+  } else {
+    SCANTROVE_TRY(rename());
   }
   path_.clear();
   return flushDiskOf(place_.parent_path());
+}
+
+Result<void> StagedFolder::rename() {
+  // Removed before the rename: a finished folder never contains the marker, even after a crash.
+  if (::unlink((path_ / kMarker).c_str()) != 0 && errno != ENOENT)
+    return cannotMake(place_, systemReason(errno));
+  if (::rename(path_.c_str(), place_.c_str()) == 0) return {};
+  const int code = errno;
+  if (code == ENOTEMPTY || code == EEXIST || code == ENOTDIR) {
+    return fail("Something has been put into " + place_.string() + " while the export ran.",
+                "Give another folder and export again.");
+  }
+  return cannotMake(place_, systemReason(code));
+}
+
+Result<void> StagedFolder::replace() {
+  SCANTROVE_TRY(replaced_->checkUnchanged(place_));  // again: the export took a while
+  // From here on the old folder has the marker of the staged one, whose name it gets: the next export removes
+  // it if this program is killed. In the place the marker means nothing.
+  if (!writeStagedMarker(place_, stagedMarkerOf(path_))) return cannotMake(place_, systemReason(errno));
+  if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) {
+    ::unlink((place_ / kMarker).c_str());
+    removeOld(path_);
+    return {};
+  }
+  const int code = errno;
+  ::unlink((place_ / kMarker).c_str());
+  if (code != EINVAL && code != ENOSYS && code != ENOTSUP) return cannotMake(place_, systemReason(code));
+  return replaceInSteps();
+}
+
+Result<void> StagedFolder::replaceInSteps() {
+  const Result<fs::path> aside = makePartOf(place_);
+  if (!aside) return fail(aside.error());
+  std::error_code ignored;
+  // While the place is empty, this marker makes the next export put the old folder back.
+  const bool is_aside =
+      writeStagedMarker(place_, replacedMarkerOf(*aside)) && ::rename(place_.c_str(), aside->c_str()) == 0;
+  if (!is_aside) {
+    const int code = errno;
+    ::unlink((place_ / kMarker).c_str());
+    fs::remove(*aside, ignored);
+    return cannotMake(place_, systemReason(code));
+  }
+  if (auto renamed = rename(); !renamed) {
+    fs::rename(*aside, place_, ignored);
+    ::unlink((place_ / kMarker).c_str());
+    return renamed;
+  }
+  removeOld(*aside);
+  return {};
+}
+
+void StagedFolder::removeOld(const fs::path& folder) {
+  if (replaced_->removeFrom(folder, kMarker)) return;
+  // What others put there in the last moment is theirs: without the marker it stays.
+  ::unlink((folder / kMarker).c_str());
+  left_over_ = folder;
 }
 
 Error StagedFolder::inFinalWords(Error error) const {

@@ -1,8 +1,11 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "core/base/result.h"
+#include "core/dataset/export_record.h"
 
 namespace scantrove {
 
@@ -18,6 +21,11 @@ class StagedFolder {
   /// or its parent is not writable; names the path and what to do.
   [[nodiscard]] static Result<StagedFolder> create(const std::filesystem::path& place);
 
+  /// The same, but a data set of `format` that the program wrote to `place` is replaced on commit, as a
+  /// whole. Error: also if `place` has any file that its ExportRecord does not have as it is; names it.
+  [[nodiscard]] static Result<StagedFolder> createOver(const std::filesystem::path& place,
+                                                       const std::string& format);
+
   StagedFolder(StagedFolder&&) noexcept;
   StagedFolder& operator=(StagedFolder&&) noexcept;
   ~StagedFolder();
@@ -27,19 +35,29 @@ class StagedFolder {
   /// The destination, absolute.
   [[nodiscard]] const std::filesystem::path& place() const { return place_; }
 
-  /// Syncs all files to disk and renames the folder. Error: the disk failed, or the destination exists by
-  /// now.
+  /// Syncs all files to disk and renames the folder. An old data set is exchanged with it in one step, where
+  /// the file system can do that, and removed. Error: the disk failed, the destination exists by now, or the
+  /// old data set was changed by now.
   [[nodiscard]] Result<void> commit();
+  /// Where the old folder stays if somebody put something into it during the commit; else empty.
+  [[nodiscard]] const std::filesystem::path& leftOver() const { return left_over_; }
 
   /// The same error with `place`, the only path that the user knows.
   [[nodiscard]] Error inFinalWords(Error error) const;
 
  private:
-  StagedFolder(std::filesystem::path place, std::filesystem::path path, int lock);
+  StagedFolder(std::filesystem::path place, std::filesystem::path path, int lock,
+               std::optional<ExportRecord> replaced);
   void discard() noexcept;
+  [[nodiscard]] Result<void> rename();
+  [[nodiscard]] Result<void> replace();
+  /// For file systems that cannot exchange folders.
+  [[nodiscard]] Result<void> replaceInSteps();
+  void removeOld(const std::filesystem::path& folder);
 
-  std::filesystem::path place_, path_;
-  int lock_ = -1;  // an open descriptor of the staged folder
+  std::filesystem::path place_, path_, left_over_;
+  int lock_ = -1;                         // an open descriptor of the staged folder
+  std::optional<ExportRecord> replaced_;  // of the data set in the place
 };
 
 }  // namespace scantrove

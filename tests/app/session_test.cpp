@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 
 #include "tests/app/demo_scan.h"
@@ -172,8 +173,11 @@ TEST_F(SessionCommandTest, ExportsEveryDataSetFormat) {
   const Json coco = Json::parse(readText(folder_ / "as_coco" / "annotations" / "instances.json"));
   EXPECT_GE(coco["images"].size(), 1U);
   EXPECT_GE(coco["annotations"].size(), 1U);
+  EXPECT_EQ(scantrove({"export", scan_, "--format", "coco", "--out", folder_ / "as_coco"}).exit_code, 0)
+      << "its own data set is replaced";
+  std::ofstream(folder_ / "as_coco" / "notes.txt") << "mine";
   expectJobFailure(scantrove({"export", scan_, "--format", "coco", "--out", folder_ / "as_coco"}),
-                   {"as_coco"});
+                   {"as_coco", "notes.txt"});
 }
 
 TEST_F(SessionCommandTest, ExportPrintsCountsOfClasses_AsJson) {

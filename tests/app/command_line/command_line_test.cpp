@@ -217,6 +217,28 @@ TEST(CommandLine, RefusesExports_WhenOptionsContradict) {
   expectRefused(parse({"export", "scan", "--format", "word", "--out", "x"}), {"word"});
   expectRefused(parse({"export", "scan", "--database", "db", "--out", "x"}), {"DIR"});
   expectRefused(parse({"export", "--out", "x"}), {"--database"});
+  expectRefused(parse({"export", "scan", "--format", "coco"}), {"--out"});
+  expectRefused(parse({"export", "scan", "--project", "p", "--format", "coco", "--out", "x"}), {"DIR"});
+  expectRefused(parse({"export", "scan", "--scan", "a", "--format", "coco", "--out", "x"}), {"--project"});
+  expectRefused(parse({"export", "scan", "--split", "1,0,0", "--format", "coco", "--out", "x"}), {"yolo"});
+  expectRefused(parse({"export", "scan", "--split", "0.5,0,0.5", "--format", "yolo", "--out", "x"}),
+                {"test"});
+  expectRefused(parse({"export", "--project", "p", "--split", "0.5,0.6", "--format", "coco", "--out", "x"}),
+                {"--split"});
+  expectRefused(parse({"export", "--project", "p", "--seed", "1", "--format", "coco", "--out", "x"}),
+                {"--split"});
+  expectRefused(
+      parse({"export", "--project", "p", "--train", "a", "--val", "a", "--format", "coco", "--out", "x"}),
+      {"given twice"});
+  expectRefused(parse({"export", "--project", "p", "--train", "a", "--split", "1,0,0", "--format", "coco",
+                       "--out", "x"}),
+                {"--split"});
+  expectRefused(parse({"export", "--project", "p", "--centred", "--format", "mesh", "--out", "x"}),
+                {"--centred"});
+  expectRefused(parse({"export", "--database", "db", "--only", "named", "--out", "x"}), {"--database"});
+  expectCommand(parse({"export", "--class", "a", "--class", "b", "scan", "--format", "coco", "--dry-run"}));
+  expectCommand(parse({"export", "--project", "p", "--split", "train=0.8,val=0.2", "--seed", "3", "--format",
+                       "bop", "--unlabeled", "ignore", "--out", "x"}));
   expectRefused(parse({"export", "--database", "db", "--include-blurred", "--out", "x"}),
                 {"--include-unfit-frames"});
   expectRefused(parse({"export", "--database", "db", "--format", "coco", "--out", "x"}), {"--format"});

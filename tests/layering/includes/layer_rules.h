@@ -94,7 +94,7 @@ class LayerRules {
          {"base", "geometry", "image", "compute", "database", "capture", "exchange", "dataset", "fusion",
           "tracking", "segmentation", "labeling", "discovery", "editing", "catalogue", "pipeline",
           "collection"}},
-        {"project", {"base", "database", "exchange", "session"}},
+        {"project", {"base", "database", "dataset", "exchange", "session"}},
         {"refinement",
          {"base", "compute", "capture", "labeling", "discovery", "editing", "pipeline", "collection",
           "session"}}};

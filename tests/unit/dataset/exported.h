@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/dataset/dataset_export.h"
+#include "core/dataset/export_record.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/dataset/scanned_scene.h"
 
@@ -59,10 +60,12 @@ struct Exported {
     return names;
   }
 
+  /// All files but the record of an export, sorted.
   static std::vector<std::string> filesIn(const std::filesystem::path& folder) {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-      if (!entry.is_directory()) names.push_back(entry.path().lexically_relative(folder).generic_string());
+      if (entry.is_directory() || entry.path().filename() == ExportRecord::kFile) continue;
+      names.push_back(entry.path().lexically_relative(folder).generic_string());
     }
     std::sort(names.begin(), names.end());
     return names;
