@@ -6,7 +6,8 @@ namespace scantrove {
 
 // One function and one file export_<format>.cpp for each format. Each writes its files through the job and
 // fills in the summary. Errors: as of exportDataset(). NNNNNN is the number of a frame in its source.
-// README.md and LICENSE.txt are written for all.
+// README.md and LICENSE.txt are written for all. In a project, formats with joinsScans() have all scans in these
+// files, with prefixed names of images, and bop a scene folder for each (project_export.h).
 
 /// COCO instances (pycocotools, CVAT, FiftyOne):
 ///     annotations/instances.json   run-length encoded masks, bbox, area, iscrowd 0, attributes
@@ -27,8 +28,7 @@ namespace scantrove {
 /// Ultralytics segments:
 ///     data.yaml   images/train images/val   labels/train labels/val
 /// One line for each instance (export_instances.h).
-/// Pieces and holes are joined by bridges (mask_outline.h). The last fifth of the frames (if at least five)
-/// is for validation, because neighbours in time are similar.
+/// Pieces and holes are joined by bridges (mask_outline.h). Splits: see FrameSplit.
 [[nodiscard]] Result<void> exportYolo(ExportJob& job);
 
 /// labels.json and masks/NNNNNN.png: 16 bits, region ids, 0 = not exported; beside them color/ as recorded.
