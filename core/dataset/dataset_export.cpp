@@ -4,6 +4,7 @@
 #include <array>
 #include <exception>
 #include <opencv2/core.hpp>
+#include <set>
 #include <utility>
 
 #include "core/dataset/centered_mesh.h"
@@ -147,6 +148,12 @@ Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& opti
   ExportPreview preview;
   preview.regions =
       static_cast<int>(chooseRegions(*regions, options.background, options.choices).exported.size());
+  ExportChoices of_any_class = options.choices;
+  of_any_class.classes.clear();
+  std::set<std::string> classes;
+  for (const LabeledRegion& region : chooseRegions(*regions, options.background, of_any_class).exported)
+    classes.insert(classOf(region));
+  preview.classes.assign(classes.begin(), classes.end());
   double voxels = 0;
   for (const LabeledRegion& region : *regions) voxels += region.voxels;
   if (!hasImages(options.format)) {

@@ -102,7 +102,8 @@ struct ExportSummary {
 struct ExportPreview {
   int images = 0;  ///< including unfit ones
   int regions = 0;
-  double megabytes = 0;  ///< estimated; copied images count with their size
+  double megabytes = 0;              ///< estimated; copied images count with their size
+  std::vector<std::string> classes;  ///< of regions that could be exported, sorted
 };
 
 /// Error: as for reading the scan's regions or key frames.

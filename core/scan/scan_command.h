@@ -1,6 +1,8 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "core/dataset/dataset_export.h"
 #include "core/editing/operation.h"
@@ -57,6 +59,12 @@ struct ExportDataset {
 struct RenderPicture {
   RenderOptions options;
 };
+/// Exports the project in which the open session lies, as ExportDataset.
+struct ExportProject {
+  ExportOptions options;
+  std::vector<std::string> scans;  ///< names of their folders
+  ScanSplit split;
+};
 struct CancelExport {};  ///< and RenderPicture
 /// The catalogue was edited. Frames detect that themselves; this is for a paused scan.
 struct ApplyCatalogueChanges {};
@@ -68,7 +76,7 @@ struct SetParams {
 
 using ScanCommand =
     std::variant<StartScan, PauseScan, ResumeScan, StepScan, StopScan, CloseScan, SkipRefinement, EditRegions,
-                 ShowKeyFrame, PreviewExport, SampleExport, ExportDataset, RenderPicture, CancelExport,
-                 ApplyCatalogueChanges, SetParams>;
+                 ShowKeyFrame, PreviewExport, SampleExport, ExportDataset, ExportProject, RenderPicture,
+                 CancelExport, ApplyCatalogueChanges, SetParams>;
 
 }  // namespace scantrove

@@ -1,15 +1,21 @@
 #include "core/scan/scan_review.h"
 
 #include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "core/base/overloaded.h"
 #include "core/collection/objects_in_view.h"
 #include "core/compute/guarded.h"
 #include "core/dataset/dataset_export.h"
+#include "core/dataset/project_export.h"
 #include "core/fusion/color_projection.h"
 #include "core/fusion/rendered_view.h"
 #include "core/pipeline/mapping_pipeline.h"
+#include "core/project/project.h"
+#include "core/project/project_scans.h"
 #include "core/session/key_frame_files.h"
 #include "core/session/painted_image.h"
 #include "core/session/session_catalogue.h"
@@ -45,6 +51,7 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
   if (!session) return fail(session.error());
   for (const std::string& damage : (*session)->damages()) listener(MapFailed{{damage, ""}});
   std::unique_ptr<ScanReview> review(new ScanReview(std::move(*session), std::move(listener), mailbox));
+  review->device_ = request.device;
   OpenSession& opened = *review->session_;
   review->segmentation_ = params.segmentation;
 
@@ -196,6 +203,28 @@ void ScanReview::execute(const ExportDataset& command, const std::stop_token& ca
   const auto step = [&](const ExportProgress& progress) { listener_(ExportStepped{progress}); };
   report<ExportFinished>(
       guarded("writing the data set", [&] { return exportDataset(scan, command.options, step, cancel); }));
+}
+
+void ScanReview::execute(const ExportProject& command, const std::stop_token& cancel) {
+  session_->readCatalogue();
+  std::set<std::string> warned;
+  const auto warn = [&](const std::string& sentence) {
+    if (warned.insert(sentence).second) listener_(MapFailed{{sentence, ""}});
+  };
+  const auto step = [&](const ExportProgress& progress) { listener_(ExportStepped{progress}); };
+  report<ExportFinished>(guarded("writing the data set", [&]() -> Result<ExportSummary> {
+    const Result<Project> project = projectOfScan(session_->folder());
+    if (!project) return fail(project.error());
+    auto scans = scansToExport(*project, command.scans, device_, warn);
+    if (!scans) return fail(scans.error());
+    // A session cannot be opened twice.
+    const auto own = std::make_shared<SessionScan>(*session_);
+    for (ScanToExport& scan : *scans) {
+      if (scan.name == own->name())
+        scan.open = [own]() -> Result<std::shared_ptr<LabeledScan>> { return own; };
+    }
+    return exportProject({project->name, std::move(*scans), command.split}, command.options, step, cancel);
+  }));
 }
 
 void ScanReview::execute(const RenderPicture& command, const std::stop_token& cancel) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <stop_token>
+#include <string>
 
 #include "core/base/latest_value.h"
 #include "core/scan/scan_event.h"
@@ -39,6 +40,7 @@ class ScanReview {
   void execute(const PreviewExport& command);
   void execute(const SampleExport& command);
   void execute(const ExportDataset& command, const std::stop_token& cancel);
+  void execute(const ExportProject& command, const std::stop_token& cancel);
   void execute(const RenderPicture& command, const std::stop_token& cancel);
 
  private:
@@ -55,6 +57,7 @@ class ScanReview {
   void report(const Result<Value>& outcome);
 
   std::unique_ptr<OpenSession> session_;
+  std::string device_;  // as for OpenSession::open
   ScanListener listener_;
   SnapshotBuilder snapshots_;
   std::vector<const SavedKeyFrame*> key_frames_;  // with a pose

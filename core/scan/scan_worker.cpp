@@ -21,7 +21,7 @@ constexpr bool kIsOneOf = (std::is_same_v<Command, Others> || ...);
 
 template <class Command>
 constexpr bool kNewestReplaces = kIsOneOf<Command, ShowKeyFrame, SetParams, ApplyCatalogueChanges,
-                                          PreviewExport, SampleExport, ExportDataset>;
+                                          PreviewExport, SampleExport, ExportDataset, ExportProject>;
 
 template <class Command>
 constexpr bool kEndsScan = kIsOneOf<Command, StartScan, CloseScan>;
@@ -55,7 +55,7 @@ void ScanWorker::post(ScanCommand command) {
         [this]<class Command>(const Command&) {
           if (kEndsScan<Command> || kIsOneOf<Command, CancelExport>) export_stop_.request_stop();
           // One that was not stopped also stops the export that is running.
-          if (kIsOneOf<Command, ExportDataset, RenderPicture> && export_stop_.stop_requested())
+          if (kIsOneOf<Command, ExportDataset, ExportProject, RenderPicture> && export_stop_.stop_requested())
             export_stop_ = std::stop_source();
           // A user's edits of the running scan are executed before it ends.
           if (kEndsScan<Command>) std::erase_if(queue_, std::not_fn(is<EditRegions>));
@@ -144,6 +144,9 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                  [&](const PreviewExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
                  [&](const SampleExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
                  [&](const ExportDataset& c) {
+                   with_export([&](ScanReview& review) { review.execute(c, exportStop()); });
+                 },
+                 [&](const ExportProject& c) {
                    with_export([&](ScanReview& review) { review.execute(c, exportStop()); });
                  },
                  [&](const RenderPicture& c) {

@@ -45,6 +45,7 @@ class ScriptedWorker {
   std::vector<int> key_frames_shown;
   std::vector<ExportOptions> previews, exports;
   std::vector<RenderOptions> renders;
+  std::vector<ExportProject> project_exports;
   std::vector<std::pair<ExportOptions, std::optional<int>>> samples;
 
  private:
@@ -65,6 +66,7 @@ class ScriptedWorker {
                           [this](SampleExport& c) { samples.emplace_back(std::move(c.options), c.index); },
                           [this](ExportDataset& c) { exports.push_back(std::move(c.options)); },
                           [this](RenderPicture& c) { renders.push_back(std::move(c.options)); },
+                          [this](ExportProject& c) { project_exports.push_back(std::move(c)); },
                           [this](CancelExport) { commands.emplace_back("cancel export"); },
                           [this](ApplyCatalogueChanges) { ++catalogue_changes; },
                           [this](const SetParams& c) { last_params = c.params; }},

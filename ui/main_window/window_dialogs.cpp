@@ -5,6 +5,8 @@
 #include <QMessageBox>
 #include <QStandardPaths>
 
+#include "core/project/project.h"
+#include "core/session/session_list.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/project_choice.h"
 #include "ui/main_window/scan_controller.h"
@@ -87,6 +89,7 @@ void WindowDialogs::showExport() {
   }
   delete export_;
   export_ = new ExportDialog(QFileInfo(window_.controller().sessionFolder()).fileName(), &window_);
+  offerProject();
   ScanBridge& bridge = window_.controller().bridge();
   connect(export_, &ExportDialog::posted, &bridge, &ScanBridge::post);
   connect(&bridge, &ScanBridge::eventArrived, export_, &ExportDialog::handleEvent);
@@ -100,6 +103,17 @@ void WindowDialogs::showClasses() {
   classes_->show();
   classes_->raise();
   classes_->activateWindow();
+}
+
+void WindowDialogs::offerProject() {
+  const auto project = projectOfScan(window_.controller().sessionFolder().toStdString());
+  if (!project) return;
+  QStringList names;
+  for (const SessionSummary& scan : listSessions(project->scansFolder())) {
+    if (scan.damage.empty()) names << QString::fromStdString(scan.name);
+  }
+  names.sort();
+  export_->setProject(QString::fromStdString(project->name), names);
 }
 
 void WindowDialogs::showHelp() {

@@ -39,6 +39,8 @@ class WindowDialogs : public QObject {
  private:
   /// Where the dialogs for projects begin.
   [[nodiscard]] QString projectsFolder() const;
+  /// Tells the export dialog the project of the open scan.
+  void offerProject();
 
   MainWindow& window_;
   ExportDialog* export_ = nullptr;

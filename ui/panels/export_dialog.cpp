@@ -1,6 +1,5 @@
 #include "ui/panels/export_dialog.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDir>
@@ -8,28 +7,28 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "core/base/overloaded.h"
+#include "ui/panels/export_choices_panel.h"
+#include "ui/panels/export_folder_field.h"
 #include "ui/panels/export_sample_view.h"
-#include "ui/panels/file_dialogs.h"
+#include "ui/panels/export_scans_panel.h"
+#include "ui/panels/export_statistics_view.h"
 
 namespace scantrove {
 namespace {
 
 const QString kFormatKey = QStringLiteral("export/format");
-const QString kLicenseKey = QStringLiteral("export/license");
-const QString kFolderKey = QStringLiteral("export/folder");
 constexpr int kPreviewDelay_ms = 200;
 constexpr int kDialogWidth_px = 560;
 constexpr int kRoomForMessage_px = 40;  ///< messages of an export may need more lines
@@ -70,6 +69,28 @@ QString aboutFormat(DatasetFormat format) {
   return {};
 }
 
+QString contentOf(const ExportSummary& summary) {
+  QStringList what;
+  if (summary.scans > 1) what << ExportDialog::tr("%1 scans").arg(summary.scans);
+  if (summary.images > 0) what << ExportDialog::tr("%1 images").arg(summary.images);
+  if (summary.regions > 0) what << ExportDialog::tr("%1 objects").arg(summary.regions);
+  if (summary.annotations > 0) what << ExportDialog::tr("%1 masks").arg(summary.annotations);
+  if (summary.points > 0) what << ExportDialog::tr("%1 points").arg(summary.points);
+  what << ExportDialog::tr("%1 MB").arg(std::max(1L, std::lround(static_cast<double>(summary.bytes) / 1e6)));
+  return what.join(QStringLiteral(", "));
+}
+
+QString notesOf(const ExportSummary& summary) {
+  QString text;
+  if (!summary.skipped.empty()) {
+    text += ExportDialog::tr("\n%1 frames are not included: %2")
+                .arg(summary.skipped.size())
+                .arg(QString::fromStdString(summary.skipped.front()));
+  }
+  for (const std::string& note : summary.notes) text += QLatin1Char('\n') + QString::fromStdString(note);
+  return text;
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(const QString& name, QWidget* parent)
@@ -77,14 +98,14 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
       name_(name),
       format_(new QComboBox),
       about_(new QLabel),
-      folder_(new QLineEdit),
-      all_frames_(new QCheckBox(tr("All &stored frames, not only key frames"))),
-      background_(new QCheckBox(tr("Include &background and rejected regions"))),
-      include_unfit_(new QCheckBox(tr("Include &unfit frames"))),
-      license_(new QLineEdit),
+      folder_(new ExportFolderField(name)),
+      scans_(new ExportScansPanel),
+      choices_(new ExportChoicesPanel),
       sample_(new ExportSampleView),
+      statistics_(new ExportStatisticsView),
       message_(new QLabel),
       bar_(new QProgressBar),
+      count_(new QPushButton(tr("Co&unt"))),
       export_(new QPushButton(tr("&Export"))),
       cancel_(new QPushButton(tr("Close"))),
       show_folder_(new QPushButton(tr("Open the &folder"))) {
@@ -96,44 +117,61 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   format_->setAccessibleName(tr("Format"));
   about_->setWordWrap(true);
   about_->setProperty("muted", true);
-  folder_->setAccessibleName(tr("Folder"));
-  license_->setAccessibleName(tr("License"));
-  license_->setText(QSettings().value(kLicenseKey).toString());
-  license_->setPlaceholderText(tr("none, or for example CC BY 4.0"));
-  license_->setToolTip(tr("Written into the data set's README and LICENSE.txt"));
   message_->setWordWrap(true);
   message_->setObjectName(QStringLiteral("exportMessage"));
-  include_unfit_->setToolTip(tr("Frames that are blurred, or whose depth and colour do not fit"));
+  count_->setToolTip(tr("Counts images, instances and pixels of each class, and writes nothing"));
   bar_->setVisible(false);
   show_folder_->setVisible(false);
   export_->setDefault(true);
   export_->setProperty("primary", true);
+  layOut();
 
+  preview_timer_.setSingleShot(true);
+  preview_timer_.setInterval(kPreviewDelay_ms);
+  connect(&preview_timer_, &QTimer::timeout, this, [this] {
+    if (isWorking()) return;
+    emit posted(PreviewExport{options()});
+    emit posted(SampleExport{options(), sample_->index()});
+  });
+  connect(sample_, &ExportSampleView::rowRequested, this, [this](int index) {
+    if (!isWorking()) emit posted(SampleExport{options(), index});
+  });
+  connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
+  connect(choices_, &ExportChoicesPanel::changed, this, &ExportDialog::choicesChanged);
+  connect(scans_, &ExportScansPanel::changed, this, [this] {
+    folder_->setName(scans_->isProject() ? project_ : name_);
+    choicesChanged();
+  });
+  connect(count_, &QPushButton::clicked, this, &ExportDialog::count);
+  connect(export_, &QPushButton::clicked, this, &ExportDialog::begin);
+  connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
+  connect(show_folder_, &QPushButton::clicked, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(done_folder_)); });
+  formatChanged();
+}
+
+void ExportDialog::layOut() {
   auto* form = new QFormLayout;
   form->addRow(tr("F&ormat"), format_);
   form->addRow(QString(), about_);
-  auto* folder_row = new QHBoxLayout;
-  folder_row->addWidget(folder_, 1);
-  auto* choose_button = new QPushButton(tr("&Choose…"));
-  folder_row->addWidget(choose_button);
-  form->addRow(tr("Save to"), folder_row);
-  form->addRow(QString(), all_frames_);
-  form->addRow(QString(), background_);
-  form->addRow(QString(), include_unfit_);
-  form->addRow(tr("&License"), license_);
+  form->addRow(tr("Save to"), folder_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(show_folder_);
   buttons->addStretch(1);
   buttons->addWidget(cancel_);
+  buttons->addWidget(count_);
   buttons->addWidget(export_);
   // On a small screen the options scroll; message and buttons stay visible.
   content_ = new QWidget;
-  auto* choices = new QVBoxLayout(content_);
-  choices->setContentsMargins(0, 0, 0, 0);
-  choices->setSpacing(12);
-  choices->addLayout(form);
-  choices->addWidget(sample_);
-  choices->addStretch(1);
+  auto* column_of_choices = new QVBoxLayout(content_);
+  column_of_choices->setContentsMargins(0, 0, 0, 0);
+  column_of_choices->setSpacing(12);
+  column_of_choices->addLayout(form);
+  column_of_choices->addWidget(scans_);
+  column_of_choices->addWidget(choices_);
+  column_of_choices->addWidget(sample_);
+  column_of_choices->addWidget(statistics_);
+  column_of_choices->addStretch(1);
   scroll_ = new QScrollArea;
   scroll_->setWidget(content_);
   scroll_->setWidgetResizable(true);
@@ -147,26 +185,12 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   column->addWidget(message_);
   column->addWidget(bar_);
   column->addLayout(buttons);
+}
 
-  preview_timer_.setSingleShot(true);
-  preview_timer_.setInterval(kPreviewDelay_ms);
-  connect(&preview_timer_, &QTimer::timeout, this, [this] {
-    if (is_working_) return;
-    emit posted(PreviewExport{options()});
-    emit posted(SampleExport{options(), sample_->index()});
-  });
-  connect(sample_, &ExportSampleView::rowRequested, this, [this](int index) {
-    if (!is_working_) emit posted(SampleExport{options(), index});
-  });
-  connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
-  connect(all_frames_, &QCheckBox::toggled, this, &ExportDialog::requestPreview);
-  connect(background_, &QCheckBox::toggled, this, &ExportDialog::requestPreview);
-  connect(choose_button, &QPushButton::clicked, this, &ExportDialog::choose);
-  connect(export_, &QPushButton::clicked, this, &ExportDialog::begin);
-  connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
-  connect(show_folder_, &QPushButton::clicked, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(done_folder_)); });
-  formatChanged();
+void ExportDialog::setProject(const QString& name, const QStringList& scans) {
+  project_ = name;
+  project_.replace(QLatin1Char('/'), QLatin1Char('-'));  // it becomes part of a path
+  scans_->setScans(scans);
 }
 
 QSize ExportDialog::sizeHint() const {
@@ -176,48 +200,36 @@ QSize ExportDialog::sizeHint() const {
   return full.expandedTo({kDialogWidth_px, 0}).boundedTo(available);
 }
 
+DatasetFormat ExportDialog::format() const { return static_cast<DatasetFormat>(format_->currentIndex()); }
+
 ExportOptions ExportDialog::options() const {
   ExportOptions options;
-  options.format = static_cast<DatasetFormat>(format_->currentIndex());
-  options.folder = folder_->text().toStdString();
-  options.all_frames = all_frames_->isChecked();
-  options.background = background_->isChecked();
-  options.include_unfit = include_unfit_->isChecked();
-  options.license = license_->text().trimmed().toStdString();
+  options.format = format();
+  options.folder = folder_->folder().toStdString();
+  choices_->apply(options);
   return options;
-}
-
-QString ExportDialog::proposedFolder() const {
-  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const QString parent = QSettings().value(kFolderKey, documents).toString();
-  const QString base =
-      parent + QLatin1Char('/') + name_ + QLatin1Char('-') + format_->currentText().toLower();
-  QString folder = base;
-  for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QLatin1Char('-') + QString::number(i);
-  return folder;
 }
 
 QString ExportDialog::message() const { return message_->text(); }
 
-void ExportDialog::choose() {
-  const QString parent = chooseFolder(this, tr("Folder of the data set"), QFileInfo(folder_->text()).path());
-  if (parent.isEmpty()) return;
-  QSettings().setValue(kFolderKey, parent);
-  folder_->setText(proposedFolder());
-}
-
 void ExportDialog::formatChanged() {
-  about_->setText(aboutFormat(static_cast<DatasetFormat>(format_->currentIndex())));
-  folder_->setText(proposedFolder());
-  requestPreview();
+  about_->setText(aboutFormat(format()));
+  folder_->setFormat(format_->currentText().toLower());
+  choicesChanged();
 }
 
-void ExportDialog::requestPreview() { preview_timer_.start(); }
+void ExportDialog::choicesChanged() {
+  choices_->showFor(format(), scans_->isProject());
+  statistics_->clear();
+  done_folder_.clear();
+  show_folder_->setVisible(false);
+  preview_timer_.start();
+}
 
 void ExportDialog::handleEvent(const ScanEvent& event) {
   std::visit(Overloaded{[this](const ExportPreviewed& e) { showPreview(e.preview); },
                         [this](const ExportSampled& e) {
-                          if (!is_working_) sample_->showSample(e.sample);
+                          if (!isWorking()) sample_->showSample(e.sample);
                         },
                         [this](const ExportStepped& e) { showProgress(e.progress); },
                         [this](const ExportFinished& e) { showDone(e.summary); },
@@ -226,23 +238,41 @@ void ExportDialog::handleEvent(const ScanEvent& event) {
 }
 
 void ExportDialog::showPreview(const ExportPreview& preview) {
-  if (is_working_ || !done_folder_.isEmpty()) return;
-  message_->setText(preview.regions == 0 ? tr("No region has a name or is an object yet, so only background "
-                                              "could be exported. Name some regions first.")
-                                         : tr("%1 images, %2 objects, about %3 MB")
-                                               .arg(preview.images)
-                                               .arg(preview.regions)
-                                               .arg(std::max(1L, std::lround(preview.megabytes))));
+  choices_->setClasses(preview.classes);
+  if (isWorking() || !done_folder_.isEmpty()) return;
+  if (scans_->isProject()) {
+    message_->setText(tr("%1 scans of the project. Count shows what they hold.").arg(scans_->scans().size()));
+  } else if (preview.regions == 0) {
+    message_->setText(tr("Nothing would be exported. Name some regions first, or choose other labels."));
+  } else {
+    message_->setText(tr("%1 images, %2 objects, about %3 MB")
+                          .arg(preview.images)
+                          .arg(preview.regions)
+                          .arg(std::max(1L, std::lround(preview.megabytes))));
+  }
 }
 
-void ExportDialog::begin() {
+void ExportDialog::start(Work work) {
+  if (const QString problem = scans_->problem(); !problem.isEmpty()) {
+    message_->setText(problem);
+    return;
+  }
+  ExportOptions chosen = options();
+  chosen.dry_run = work == Work::counting;
   done_folder_.clear();
-  QSettings().setValue(kFormatKey, format_->currentText());
-  QSettings().setValue(kLicenseKey, license_->text());
-  QDir().mkpath(QFileInfo(folder_->text()).path());
-  setWorking(true);
-  message_->setText(tr("Exporting…"));
-  emit posted(ExportDataset{options()});
+  if (!chosen.dry_run) {
+    QSettings().setValue(kFormatKey, format_->currentText());
+    choices_->saveLicense();
+    QDir().mkpath(QFileInfo(folder_->folder()).path());
+  }
+  statistics_->clear();
+  setWork(work);
+  message_->setText(chosen.dry_run ? tr("Counting…") : tr("Exporting…"));
+  if (scans_->isProject()) {
+    emit posted(ExportProject{chosen, scans_->scans(), scans_->split()});
+  } else {
+    emit posted(ExportDataset{chosen});
+  }
 }
 
 void ExportDialog::showProgress(const ExportProgress& progress) {
@@ -252,42 +282,36 @@ void ExportDialog::showProgress(const ExportProgress& progress) {
 }
 
 void ExportDialog::showDone(const ExportSummary& summary) {
-  setWorking(false);
+  const bool is_count = work_ == Work::counting;
+  setWork(Work::none);
+  statistics_->showCounts(summary);
+  if (is_count) {
+    message_->setText(tr("The data set would hold %1").arg(contentOf(summary)) + notesOf(summary));
+    return;
+  }
   done_folder_ = QString::fromStdString(summary.folder.string());
-  QStringList what;
-  if (summary.images > 0) what << tr("%1 images").arg(summary.images);
-  if (summary.regions > 0) what << tr("%1 objects").arg(summary.regions);
-  if (summary.annotations > 0) what << tr("%1 masks").arg(summary.annotations);
-  if (summary.points > 0) what << tr("%1 points").arg(summary.points);
-  what << tr("%1 MB").arg(std::max(1L, std::lround(static_cast<double>(summary.bytes) / 1e6)));
-  QString text = tr("Exported %1 to %2").arg(what.join(QStringLiteral(", ")), done_folder_);
-  if (!summary.skipped.empty())
-    text += tr("\n%1 frames are not included: %2")
-                .arg(summary.skipped.size())
-                .arg(QString::fromStdString(summary.skipped.front()));
-  for (const std::string& note : summary.notes) text += QLatin1Char('\n') + QString::fromStdString(note);
-  message_->setText(text);
+  message_->setText(tr("Exported %1 to %2").arg(contentOf(summary), done_folder_) + notesOf(summary));
   show_folder_->setVisible(true);
 }
 
 void ExportDialog::showFailure(const Error& error) {
-  setWorking(false);
+  setWork(Work::none);
   message_->setText(QString::fromStdString(error.message()));
 }
 
-void ExportDialog::setWorking(bool working) {
-  is_working_ = working;
-  bar_->setVisible(working);
+void ExportDialog::setWork(Work work) {
+  work_ = work;
+  bar_->setVisible(isWorking());
   bar_->setMaximum(0);
-  for (QWidget* widget : std::initializer_list<QWidget*>{format_, folder_, all_frames_, background_,
-                                                         include_unfit_, license_, sample_, export_})
-    widget->setEnabled(!working);
-  cancel_->setText(working ? tr("Cancel") : tr("Close"));
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{format_, folder_, scans_, choices_, sample_, count_, export_})
+    widget->setEnabled(!isWorking());
+  cancel_->setText(isWorking() ? tr("Cancel") : tr("Close"));
   show_folder_->setVisible(false);
 }
 
 void ExportDialog::reject() {
-  if (is_working_) {
+  if (isWorking()) {
     emit posted(CancelExport{});
     return;
   }
