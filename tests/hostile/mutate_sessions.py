@@ -41,7 +41,7 @@ def run(arguments):
 def content_of(folder):
     files = {}
     for file in sorted(folder.rglob("*")):
-        if file.is_file():
+        if file.is_file() and file.name != ".scantrove-export.json":  # has checksums of dated files
             content = DATE.sub(b"", file.read_bytes())
             files[str(file.relative_to(folder))] = hashlib.sha1(content).hexdigest()
     return files
