@@ -6,8 +6,8 @@ namespace scantrove {
 
 // One function and one file export_<format>.cpp for each format. Each writes its files through the job and
 // fills in the summary. Errors: as of exportDataset(). NNNNNN is the number of a frame in its source.
-// README.md and LICENSE.txt are written for all. In a project, formats with joinsScans() have all scans in these
-// files, with prefixed names of images, and bop a scene folder for each (project_export.h).
+// README.md and LICENSE.txt are written for all. In a project, formats with joinsScans() have all scans in
+// these files, with prefixed names of images, and bop a scene folder for each (project_export.h).
 
 /// COCO instances (pycocotools, CVAT, FiftyOne):
 ///     annotations/instances.json   run-length encoded masks, bbox, area, iscrowd 0, attributes

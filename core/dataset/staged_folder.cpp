@@ -158,7 +158,8 @@ Result<StagedFolder> StagedFolder::createOver(const fs::path& folder, const std:
 
 Result<void> StagedFolder::commit() {
   SCANTROVE_TRY(flushDiskOf(path_));
-  if (replaced_ && fs::exists(place_)) {
+  std::error_code unknown;
+  if (replaced_ && fs::exists(place_, unknown)) {
     SCANTROVE_TRY(replace());
   } else {
     SCANTROVE_TRY(rename());

@@ -78,5 +78,7 @@ using ScanCommand =
     std::variant<StartScan, PauseScan, ResumeScan, StepScan, StopScan, CloseScan, SkipRefinement, EditRegions,
                  ShowKeyFrame, PreviewExport, SampleExport, ExportDataset, ExportProject, RenderPicture,
                  CancelExport, ApplyCatalogueChanges, SetParams>;
+                 ShowKeyFrame, PreviewExport, SampleExport, ExportDataset, ExportProject, CancelExport,
+                 ApplyCatalogueChanges, SetParams>;
 
 }  // namespace scantrove
