@@ -4,8 +4,8 @@
 
 #include "core/base/result.h"
 #include "core/dataset/labeled_scan.h"
-#include "core/picture/orbit_camera.h"
 #include "core/picture/picture_surface.h"
+#include "core/picture/turntable_camera.h"
 
 namespace scantrove {
 

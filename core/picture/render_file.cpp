@@ -89,7 +89,8 @@ bool isVideo(const RenderOptions& options) { return options.file.extension() == 
 
 Result<void> drawVideo(const PictureScene& scene, const RenderOptions& options, int frames,
                        const fs::path& path, const RenderProgress& progress, const std::stop_token& cancel) {
-  const OrbitCamera orbit(scene.surface, scene.up_world, scene.front_world, options.width, options.height);
+  const TurntableCamera orbit(scene.surface, scene.up_world, scene.front_world, options.width,
+                              options.height);
   auto video = VideoWriter::create(path, options.width, options.height, options.frames_per_second);
   if (!video) return fail(video.error());
   for (int i = 0; i < frames; ++i) {
@@ -102,7 +103,8 @@ Result<void> drawVideo(const PictureScene& scene, const RenderOptions& options, 
 }
 
 std::string drawPicture(const PictureScene& scene, const RenderOptions& options) {
-  const OrbitCamera orbit(scene.surface, scene.up_world, scene.front_world, options.width, options.height);
+  const TurntableCamera orbit(scene.surface, scene.up_world, scene.front_world, options.width,
+                              options.height);
   return encodePng(renderSurface(scene.surface, orbit.at(options.azimuth_deg, options.elevation_deg)));
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <opencv2/core/mat.hpp>
 
-#include "core/picture/orbit_camera.h"
 #include "core/picture/picture_surface.h"
+#include "core/picture/turntable_camera.h"
 
 namespace scantrove {
 

@@ -16,11 +16,11 @@ struct PictureCamera {
 };
 
 /// Cameras on a sphere around a surface, all at the distance from which it fits into the picture.
-class OrbitCamera {
+class TurntableCamera {
  public:
   /// `up_world` and `front_world`: unit vectors; the camera stands towards `front_world` at azimuth 0.
-  OrbitCamera(const PictureSurface& surface, const Eigen::Vector3f& up_world,
-              const Eigen::Vector3f& front_world, int width, int height);
+  TurntableCamera(const PictureSurface& surface, const Eigen::Vector3f& up_world,
+                  const Eigen::Vector3f& front_world, int width, int height);
 
   /// Positive azimuths go counter-clockwise, seen from above; elevations are within -90 .. 90.
   [[nodiscard]] PictureCamera at(double azimuth_deg, double elevation_deg) const;

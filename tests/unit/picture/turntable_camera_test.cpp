@@ -1,4 +1,4 @@
-#include "core/picture/orbit_camera.h"
+#include "core/picture/turntable_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -22,16 +22,16 @@ void expectNear(const Eigen::Vector3f& actual, const Eigen::Vector3f& expected) 
 // degrees.
 const float kDistance_m = static_cast<float>(1.05 * std::sqrt(3.0) / std::sin(20 * std::numbers::pi / 180));
 
-TEST(OrbitCamera, StandsWhereItsAnglesSay) {
-  const OrbitCamera orbit(cubeSurface({}), {0, 0, 1}, {1, 0, 0}, 640, 480);
+TEST(TurntableCamera, StandsWhereItsAnglesSay) {
+  const TurntableCamera orbit(cubeSurface({}), {0, 0, 1}, {1, 0, 0}, 640, 480);
   expectNear(placeOf(orbit.at(0, 0)), {kDistance_m, 0, 0});
   expectNear(placeOf(orbit.at(90, 0)), {0, kDistance_m, 0});  // counter-clockwise from above
   expectNear(placeOf(orbit.at(0, 90)), {0, 0, kDistance_m});
   expectNear(placeOf(orbit.at(0, 30)), {kDistance_m * std::sqrt(3.0F) / 2, 0, kDistance_m / 2});
 }
 
-TEST(OrbitCamera, LooksAtTheMiddle_WithUpUp) {
-  const OrbitCamera orbit(cubeSurface({}), {0, 0, 1}, {1, 0, 0}, 640, 480);
+TEST(TurntableCamera, LooksAtTheMiddle_WithUpUp) {
+  const TurntableCamera orbit(cubeSurface({}), {0, 0, 1}, {1, 0, 0}, 640, 480);
   for (const double azimuth_deg : {0.0, 45.0, 200.0}) {
     for (const double elevation_deg : {-90.0, -20.0, 0.0, 60.0, 90.0}) {
       const PictureCamera camera = orbit.at(azimuth_deg, elevation_deg);
@@ -44,9 +44,9 @@ TEST(OrbitCamera, LooksAtTheMiddle_WithUpUp) {
   }
 }
 
-TEST(OrbitCamera, ContentIsWithinThePicture_FromEverySide) {
+TEST(TurntableCamera, ContentIsWithinThePicture_FromEverySide) {
   const PictureSurface cube = cubeSurface({});
-  const OrbitCamera orbit(cube, {0, 0, 1}, {1, 0, 0}, 300, 500);
+  const TurntableCamera orbit(cube, {0, 0, 1}, {1, 0, 0}, 300, 500);
   for (int azimuth_deg = 0; azimuth_deg < 360; azimuth_deg += 15) {
     const PictureCamera camera = orbit.at(azimuth_deg, 30);
     for (const PictureSurface::Vertex& vertex : cube.vertices) {

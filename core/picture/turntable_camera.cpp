@@ -1,4 +1,4 @@
-#include "core/picture/orbit_camera.h"
+#include "core/picture/turntable_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ Eigen::Vector3f horizontal(const Eigen::Vector3f& direction, const Eigen::Vector
 
 }  // namespace
 
-OrbitCamera::OrbitCamera(const PictureSurface& surface, const Eigen::Vector3f& up_world,
-                         const Eigen::Vector3f& front_world, int width, int height)
+TurntableCamera::TurntableCamera(const PictureSurface& surface, const Eigen::Vector3f& up_world,
+                                 const Eigen::Vector3f& front_world, int width, int height)
     : up_(up_world.normalized()),
       front_(horizontal(front_world, up_)),
       left_(up_.cross(front_)),
@@ -39,7 +39,7 @@ OrbitCamera::OrbitCamera(const PictureSurface& surface, const Eigen::Vector3f& u
   focal_px_ = static_cast<float>(std::min(width, height)) / 2 / std::tan(half);
 }
 
-PictureCamera OrbitCamera::at(double azimuth_deg, double elevation_deg) const {
+PictureCamera TurntableCamera::at(double azimuth_deg, double elevation_deg) const {
   const float azimuth = radiansOf(azimuth_deg), elevation = radiansOf(elevation_deg);
   const Eigen::Vector3f outward = std::cos(azimuth) * front_ + std::sin(azimuth) * left_;
   const Eigen::Vector3f to_camera = std::cos(elevation) * outward + std::sin(elevation) * up_;
