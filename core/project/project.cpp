@@ -193,4 +193,16 @@ fs::path newScanFolder(const Project& project, const std::string& day, const std
   return folder;
 }
 
+Result<fs::path> createScanFolder(const Project& project, const std::string& day, const std::string& title) {
+  while (true) {
+    fs::path folder = newScanFolder(project, day, title);
+    std::error_code failure;
+    if (fs::create_directory(folder, failure)) return folder;
+    if (failure) {
+      return fail("Cannot create " + folder.string() + ": " + failure.message() + ".",
+                  "Give write permission to the project's folder, or use a copy of the project.");
+    }
+  }
+}
+
 }  // namespace scantrove

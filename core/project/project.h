@@ -12,6 +12,7 @@ namespace scantrove {
 ///                              password); the folder is recognised by it
 ///     catalogue.sqlite         objects and classes of all its scans
 ///     scans/NAME/              one session for each scan
+///     claims/                  recordings that are being scanned, see RecordingClaim
 /// Projects of earlier versions have a project.json instead, which stays.
 /// It may be moved or copied as a whole: its scans find the catalogue of the folder that they lie in.
 struct Project {
@@ -21,6 +22,7 @@ struct Project {
   std::filesystem::path catalogue;
 
   [[nodiscard]] std::filesystem::path scansFolder() const { return folder / "scans"; }
+  [[nodiscard]] std::filesystem::path claimsFolder() const { return folder / "claims"; }
 };
 
 /// Whether `folder` is a project: it has a scantrove-project.json or a project.json of an earlier version, or
@@ -56,5 +58,10 @@ struct Project {
 /// systems refuse, then " (2)" if that exists in the project. At most 200 bytes.
 [[nodiscard]] std::filesystem::path newScanFolder(const Project& project, const std::string& day,
                                                   const std::string& title);
+
+/// Creates the folder that newScanFolder() names. Another program that does the same gets another folder.
+/// Error: the project cannot be written.
+[[nodiscard]] Result<std::filesystem::path> createScanFolder(const Project& project, const std::string& day,
+                                                             const std::string& title);
 
 }  // namespace scantrove
