@@ -73,6 +73,9 @@ class Runner {
     if (const auto* skipped = std::get_if<FrameSkipped>(&event)) progress_.print(skipped->error.message());
     if (const auto* failure = std::get_if<CatalogueFailed>(&event)) progress_.print(failure->error.message());
     if (const auto* failure = std::get_if<MapFailed>(&event)) progress_.print(failure->error.message());
+    if (const auto* lost = std::get_if<CameraLost>(&event)) progress_.print(lost->error.message());
+    if (const auto* returned = std::get_if<CameraReturned>(&event))
+      progress_.print(returned->error.message());
     if (const auto* drifted = std::get_if<MapDrifted>(&event)) progress_.print(drifted->error.message());
     const auto* advice = std::get_if<ScanAdvice>(&event);
     if (advice != nullptr && !advice->proposed_units_per_meter) progress_.print(advice->error.message());

@@ -42,14 +42,16 @@ struct FrameRead {
   enum class Status {
     frame,    ///< `frame` is filled
     skipped,  ///< unusable frame (truncated image, NaN pose); `error` says why; continue reading
-    timeout,  ///< a live camera sent nothing for a second; continue reading
-    end,      ///< the recording is over
+    timeout,  ///< a live camera sent nothing for a second; continue reading. With an `error`: it is lost, and
+              ///< frames go on when it is connected again
+    end,      ///< the recording is over; with an `error`: a lost camera did not come back
     failed,   ///< the source is lost (unplugged, folder removed); `error` says why; stop reading
   };
   Status status = Status::end;
   RgbdFrame frame;
   Error error;
-  int dropped = 0;  ///< frames that a live source discarded before this one
+  int dropped = 0;              ///< frames that a live source discarded before this one
+  bool is_reconnected = false;  ///< the camera was lost before this frame; it may be elsewhere
 };
 
 /// Returns frames in order. Opened by openSource(); one thread at a time.

@@ -1,5 +1,6 @@
 #include "core/capture/read_ahead.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace scantrove {
 namespace {
 
 using Status = FrameRead::Status;
+
+constexpr std::chrono::seconds kLiveWait{1};
 
 bool isLast(const FrameRead& read) { return read.status == Status::end || read.status == Status::failed; }
 
@@ -48,7 +51,15 @@ void ReadAhead::cancel() {
 
 FrameRead ReadAhead::next() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return is_cancelled_ || is_over_ || !queue_.empty(); });
+  const auto has_result = [this] { return is_cancelled_ || is_over_ || !queue_.empty(); };
+  if (!info_.is_live) {
+    changed_.wait(lock, has_result);
+  } else if (!changed_.wait_for(lock, kLiveWait, has_result)) {
+    // A camera that is being opened again may take long; its scan can be stopped meanwhile.
+    FrameRead read;
+    read.status = Status::timeout;
+    return read;
+  }
   if (is_cancelled_ || is_over_) {
     return {};
   }
@@ -110,6 +121,7 @@ void ReadAhead::postLive(FrameRead read) {
     if (read.status == Status::frame || read.status == Status::skipped) {
       for (const FrameRead& older : queue_) {
         read.dropped += older.dropped + (older.status == Status::timeout ? 0 : 1);
+        read.is_reconnected = read.is_reconnected || older.is_reconnected;
       }
       queue_.clear();
     }

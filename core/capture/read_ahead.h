@@ -27,8 +27,8 @@ class ReadAhead final : public FrameSource {
 
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
 
-  /// Waits for the next frame. After end, failed or cancel(), returns that status (end) again without
-  /// waiting.
+  /// Waits for the next frame; for that of a live source a second at most (timeout). After end, failed or
+  /// cancel(), returns that status (end) again without waiting.
   [[nodiscard]] FrameRead next() override;
   [[nodiscard]] std::optional<FrameRead> nextIfReady() override;
 

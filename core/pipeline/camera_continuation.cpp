@@ -30,6 +30,11 @@ bool CameraContinuation::restoreState(CameraMemory memory) {
   return true;
 }
 
+void CameraContinuation::interrupt() {
+  tracking_.awaitNext();
+  if (PoseTracker* tracker = tracking_.tracker()) tracker->interrupt();
+}
+
 void CameraContinuation::forgetDevice() {
   if (PoseTracker* tracker = tracking_.tracker()) tracker->forgetDevice();
 }

@@ -22,6 +22,8 @@ class CameraContinuation {
   [[nodiscard]] std::optional<CameraMemory> memory();
   /// The next frames are of another recording, so its device's poses are in another world.
   void forgetDevice();
+  /// The camera was lost before the next frame, and may be elsewhere in the map.
+  void interrupt();
   /// Restores the state after the map's last frame. False: the memory is incomplete.
   [[nodiscard]] bool restoreState(CameraMemory memory);
 

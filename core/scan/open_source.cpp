@@ -4,6 +4,8 @@
 #include "core/capture/color_registration.h"
 #include "core/capture/open_input.h"
 #include "core/capture/read_ahead.h"
+#include "core/capture/reconnecting_source.h"
+#include "core/capture/reopened_camera.h"
 #include "core/capture/source_options.h"
 #include "core/capture/usable_depth_source.h"
 #include "core/session/session_store.h"
@@ -49,7 +51,8 @@ OpenedSource open(const std::string& source, const SourceOptions& options) {
 
 }  // namespace
 
-Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const SourceOptions& options) {
+Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const SourceOptions& options,
+                                                LostCamera lost) {
   if (source.empty()) {
     return fail("No source given.",
                 "Give a recording's folder or file (.oni, .bag, .db3, .mcap, .mkv, .r3d, .sens), `camera`, "
@@ -57,6 +60,10 @@ Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const
   }
   SCANTROVE_TRY(checkSourceOptions(options));
   return open(source, options).map([&](std::unique_ptr<FrameSource> opened) -> std::unique_ptr<FrameSource> {
+    if (lost == LostCamera::awaited && opened->info().is_live) {
+      opened = std::make_unique<ReconnectingSource>(std::move(opened),
+                                                    [=] { return reopenCamera(source, options); });
+    }
     auto usable = std::make_unique<UsableDepthSource>(std::move(opened));
     return std::make_unique<ReadAhead>(std::move(usable), ReadAhead::kCapacity, options.frames);
   });

@@ -67,6 +67,12 @@ struct ScanAdvice {
   /// already.
   std::optional<double> proposed_units_per_meter = {};
 };  ///< a problem of the whole scan that the user can fix; the scan goes on
+struct CameraLost {
+  Error error;
+};  ///< the live camera is gone; the scan waits for it, or ends where it did not come back
+struct CameraReturned {
+  Error error;
+};  ///< the lost camera sends frames again
 /// An operation took effect, and is on disk if the scan has a session.
 struct Edited {
   ScanEdit edit;
@@ -119,9 +125,9 @@ struct ScanFinished {
 using ScanEvent =
     std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognized, ViewAdded,
                  ObjectsMerged, ObjectRemoved, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted,
-                 ScanAdvice, Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped,
-                 ExportFinished, ExportFailed, RenderStepped, RenderFinished, RenderFailed, FrameSkipped,
-                 ScanFailed, ScanFinished>;
+                 ScanAdvice, CameraLost, CameraReturned, Edited, EditFailed, ReviewOpened, ExportPreviewed,
+                 ExportSampled, ExportStepped, ExportFinished, ExportFailed, RenderStepped, RenderFinished,
+                 RenderFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Called on the worker's thread, in order; must return quickly (a window queues the event).
 using ScanListener = std::function<void(const ScanEvent&)>;

@@ -76,7 +76,10 @@ Result<void> ScanOpener::checkFolder() const {
 
 Result<void> ScanOpener::openFrames() {
   if (parts_.request.refine_session) return openSessionToRefine();
-  return moveInto(parts_.source, openSource(parts_.request.source, parts_.request.source_options));
+  if (const auto& open = parts_.request.open_frames)
+    return moveInto(parts_.source, open(parts_.request.source_options));
+  return moveInto(parts_.source,
+                  openSource(parts_.request.source, parts_.request.source_options, LostCamera::awaited));
 }
 
 void ScanOpener::fitMapToSensor() {

@@ -1,10 +1,13 @@
 #pragma once
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/base/result.h"
 #include "core/capture/frame_source.h"
 #include "core/session/scan_params.h"
 
@@ -18,6 +21,8 @@ struct ScanRequest {
     tracked,    ///< by the camera alone
     given       ///< the recording's
   };
+  /// Opens the frames in place of openSource(), for sources that have no name. Empty: openSource() does.
+  std::function<Result<std::unique_ptr<FrameSource>>(const SourceOptions&)> open_frames = {};
   /// As for openSource. Empty: no scan; the session in `output_folder` is opened for review.
   std::string source;
   SourceOptions source_options;

@@ -47,9 +47,10 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanL
 Result<ScanRun::Step> ScanRun::step() {
   FrameRead read = next_read_ ? std::move(*std::exchange(next_read_, std::nullopt)) : parts_.source->next();
   tally_->addDropped(read.dropped);
+  if (camera_watch_.follow(read, parts_.source->info(), listener_)) parts_.pipeline->camera().interrupt();
   switch (read.status) {
     case FrameRead::Status::end:
-      if (parts_.recorder) parts_.recorder->setMetadata(kReadToEndKey, "yes");
+      if (parts_.recorder && read.error.what.empty()) parts_.recorder->setMetadata(kReadToEndKey, "yes");
       return Step::end;
     case FrameRead::Status::failed:
       return fail(read.error);
@@ -76,6 +77,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   Result<FrameResult> result = parts_.pipeline->processFrame(frame, [this]() -> std::optional<RgbdFrame> {
     next_read_ = parts_.source->nextIfReady();
     if (!next_read_ || next_read_->status != FrameRead::Status::frame) return std::nullopt;
+    if (next_read_->is_reconnected) return std::nullopt;  // tracking has to know first
     return next_read_->frame;
   });
   if (!result) return fail(result.error());

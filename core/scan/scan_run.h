@@ -7,6 +7,7 @@
 
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
+#include "core/scan/camera_watch.h"
 #include "core/scan/scan_advisor.h"
 #include "core/scan/scan_event.h"
 #include "core/scan/scan_parts.h"
@@ -104,6 +105,7 @@ class ScanRun {
   std::optional<ScanAdvisor> advisor_;
   std::vector<std::string> advice_;
   ScanRefinement refinement_;
+  CameraWatch camera_watch_;
 };
 
 }  // namespace scantrove

@@ -97,6 +97,13 @@ class PoseTracker {
     if (device_) device_->forget();
   }
 
+  /// Frames are missing before the next one, and the device may have begun a new world. A camera elsewhere is
+  /// relocalised at once.
+  void interrupt() {
+    is_restored_ = last_.has_value();
+    forgetDevice();
+  }
+
   /// Continues on an earlier map, with a guess at the pose. replayPose() and addKeyFrame() restore the
   /// earlier key frames, in the order of their frames.
   void relocalizeNear(const Eigen::Isometry3d& T_world_camera);
@@ -168,9 +175,9 @@ class PoseTracker {
   std::optional<Eigen::Isometry3d> last_uncertain_;  // of the frame before, if neither trusted nor lost
   bool is_lost_ = false;                             // the frame before was not usable
   bool was_firm_ = true;                             // the surface determined its pose well
-  bool is_restored_ = false;                         // the next frame is the first after restoreState()
-  std::optional<DeviceMotion> device_;               // none: the camera's own motion is the prediction
-  int frames_without_device_ = 0;                    // before the first frame of the map
+  bool is_restored_ = false;            // the next frame is the first after restoreState() or interrupt()
+  std::optional<DeviceMotion> device_;  // none: the camera's own motion is the prediction
+  int frames_without_device_ = 0;       // before the first frame of the map
 
   SeenSurfaces seen_;
   const SeenSurfaces::View* seen_again_ = nullptr;  // the view rendered in seen_surface_

@@ -37,6 +37,11 @@ ScanDisplay::ScanDisplay(MainWindow& window) : QObject(&window), window_(window)
   bridge.on<CatalogueFailed>(this, warn);
   bridge.on<MapFailed>(this, warn);
   bridge.on<MapDrifted>(this, warn);
+  bridge.on<CameraLost>(this, warn);
+  bridge.on<CameraReturned>(this, [this](const CameraReturned& returned) {
+    parts_.messages->dismiss();
+    parts_.messages->show(MessageBar::Kind::info, QString::fromStdString(returned.error.message()));
+  });
   bridge.on<ScanAdvice>(this, [this](const ScanAdvice& advice) { showAdvice(advice); });
   bridge.on<ObjectAdded>(this, [this](const ObjectAdded& added) { window_.model().markAdded(added.object); });
   bridge.on<ObjectRecognized>(
