@@ -64,6 +64,9 @@ void ScanOptions::addSourceTo(CLI::App& command) {
 
 void ScanOptions::addTo(CLI::App& command) {
   addSourceTo(command);
+  command.add_option("--loop", loops, "read the recording N times, as one long recording")
+      ->transform(wholeNumber(1))
+      ->type_name("N");
   command
       .add_option(
           "--poses", poses,
@@ -87,6 +90,7 @@ SourceOptions ScanOptions::toSourceOptions() const {
   SourceOptions source_options;
   source_options.start = start;
   source_options.stride = stride;
+  source_options.loops = loops;
   if (frames > 0) source_options.frames = frames;
   if (depth_scale > 0) source_options.depth_scale = depth_scale;
   source_options.depth_topic = depth_topic;

@@ -13,6 +13,7 @@ struct ScanOptions {
   int frames = 0;  ///< 0 = all
   int start = 0;
   int stride = 1;
+  int loops = 1;
   std::string poses = "auto";
   std::string intrinsics;                ///< "fx,fy,cx,cy", or empty
   std::string color_registration;        ///< format of parseColorRegistration(); empty = from the source

@@ -51,7 +51,8 @@ struct FrameRead {
   RgbdFrame frame;
   Error error;
   int dropped = 0;              ///< frames that a live source discarded before this one
-  bool is_reconnected = false;  ///< the camera was lost before this frame; it may be elsewhere
+  bool is_reconnected = false;  ///< the camera was lost before this frame, or the recording began again: it
+                                ///< may be elsewhere
 };
 
 /// Returns frames in order. Opened by openSource(); one thread at a time.
@@ -69,6 +70,7 @@ struct SourceOptions {
   int start = 0;              ///< skip this many frames of the recording
   int stride = 1;             ///< then take every stride-th
   std::optional<int> frames;  ///< maximum number
+  int loops = 1;              ///< read the chosen part of the recording so often, see LoopedSource
   std::optional<Intrinsics>
       intrinsics;  ///< fx fy cx cy (width and height are the images'); overrides the source's
   std::optional<double> depth_scale;                    ///< units per metre; overrides the source's

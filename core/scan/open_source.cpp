@@ -2,6 +2,7 @@
 
 #include "core/capture/camera_intrinsics.h"
 #include "core/capture/color_registration.h"
+#include "core/capture/looped_source.h"
 #include "core/capture/open_input.h"
 #include "core/capture/read_ahead.h"
 #include "core/capture/reconnecting_source.h"
@@ -63,6 +64,10 @@ Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const
     if (lost == LostCamera::awaited && opened->info().is_live) {
       opened = std::make_unique<ReconnectingSource>(std::move(opened),
                                                     [=] { return reopenCamera(source, options); });
+    }
+    if (options.loops > 1 && !opened->info().is_live) {
+      opened = std::make_unique<LoopedSource>(
+          std::move(opened), [=] { return open(source, options); }, options.loops);
     }
     auto usable = std::make_unique<UsableDepthSource>(std::move(opened));
     return std::make_unique<ReadAhead>(std::move(usable), ReadAhead::kCapacity, options.frames);
