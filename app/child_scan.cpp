@@ -20,6 +20,9 @@
 namespace scantrove {
 namespace {
 
+/// Before the error of a command on stderr.
+constexpr std::string_view kErrorPrefix = "scantrove: ";
+
 /// Only what may be called between fork() and exec() in a program with threads.
 [[noreturn]] void becomeScan(char* const* arguments, int out, int err, pid_t parent) {
   // A group of its own: Ctrl+C in the terminal reaches this process alone, which passes it on once.
@@ -105,10 +108,19 @@ void ChildScan::showLines(bool all) {
   while (!messages_.empty()) {
     const std::size_t end = messages_.find('\n');
     if (end == std::string::npos && !all) return;
-    last_message_ = messages_.substr(0, end);
+    std::string line = messages_.substr(0, end);
     messages_.erase(0, end == std::string::npos ? end : end + 1);
-    std::cerr << titleOf(source_) << ": " << forTerminal(last_message_) << '\n';
+    if (!error_line_.empty()) show(std::exchange(error_line_, {}));
+    if (line.starts_with(kErrorPrefix)) {
+      error_line_ = std::move(line);
+    } else {
+      show(line);
+    }
   }
+}
+
+void ChildScan::show(const std::string& line) const {
+  std::cerr << titleOf(source_) << ": " << forTerminal(line) << '\n';
 }
 
 void ChildScan::interrupt() {
@@ -122,7 +134,10 @@ std::optional<RecordingOutcome> ChildScan::outcome() {
   process_ = -1;
   read();
   showLines(true);
-  return outcomeOf(status);
+  RecordingOutcome outcome = outcomeOf(status);
+  // The reason of a failure is shown by who gets the outcome.
+  if (!error_line_.empty() && error_line_.substr(kErrorPrefix.size()) != outcome.reason) show(error_line_);
+  return outcome;
 }
 
 RecordingOutcome ChildScan::outcomeOf(int status) const {
@@ -138,8 +153,8 @@ RecordingOutcome ChildScan::outcomeOf(int status) const {
     outcome.reason = "The process of this scan was ended by signal " + std::to_string(signal) + " (" +
                      ::strsignal(signal) + "). Run the same command again; it continues the stored part.";
     if (signal == SIGKILL) outcome.reason += " If memory was short, give a smaller number of --jobs.";
-  } else if (!last_message_.empty()) {
-    outcome.reason = last_message_;
+  } else if (!error_line_.empty()) {
+    outcome.reason = error_line_.substr(kErrorPrefix.size());
   } else {
     outcome.reason = "The process of this scan ended with exit code " + std::to_string(WEXITSTATUS(status)) +
                      " and without a message.";

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/recording_outcome.h"
@@ -37,14 +38,15 @@ class ChildScan {
  private:
   explicit ChildScan(std::string source) : source_(std::move(source)) {}
   void showLines(bool all);
+  void show(const std::string& line) const;
   [[nodiscard]] RecordingOutcome outcomeOf(int status) const;
 
   std::string source_;
   pid_t process_ = -1;
   int out_ = -1, err_ = -1;
-  std::string answer_;    // from stdout
-  std::string messages_;  // from stderr, not shown yet
-  std::string last_message_;
+  std::string answer_;      // from stdout
+  std::string messages_;    // from stderr, not shown yet
+  std::string error_line_;  // the last one that may be the reason of a failure; not shown yet
   bool is_interrupted_ = false;
 };
 

@@ -112,8 +112,8 @@ std::vector<RecordingOutcome> scanOneAfterTheOther(
   return outcomes;
 }
 
-Result<void> scanAll(const Project& project, const ProjectScanCommand& command,
-                     const std::vector<ScanRequest>& requests) {
+Result<void> scanRecordings(const Project& project, const ProjectScanCommand& command,
+                            const std::vector<ScanRequest>& requests) {
   const bool is_single = requests.size() == 1;
   const auto announce = [&](const RecordingOutcome& outcome) {
     if (outcome.kind == RecordingOutcome::Kind::failed) {
@@ -185,7 +185,7 @@ void addProjectScan(CLI::App& parent, CommandJob& job) {
       const CoreApplication qt;
       const Result<Project> project = openProject(command->folder);
       if (!project) return fail(project.error());
-      return scanAll(*project, *command, requests);
+      return scanRecordings(*project, *command, requests);
     };
   });
 }

@@ -17,7 +17,7 @@ constexpr std::array kOutcomeNames{
     std::pair{OutcomeKind::skipped, "skipped"}, std::pair{OutcomeKind::failed, "failed"},
     std::pair{OutcomeKind::left, "left"}};
 
-const char* nameOf(OutcomeKind kind) {
+const char* wordFor(OutcomeKind kind) {
   const auto* const found =
       std::ranges::find(kOutcomeNames, kind, &std::pair<OutcomeKind, const char*>::first);
   return found->second;
@@ -30,7 +30,7 @@ std::ptrdiff_t countOf(const std::vector<RecordingOutcome>& outcomes, OutcomeKin
 }  // namespace
 
 Json toJson(const RecordingOutcome& outcome) {
-  Json json{{"source", outcome.source}, {"outcome", nameOf(outcome.kind)}};
+  Json json{{"source", outcome.source}, {"outcome", wordFor(outcome.kind)}};
   if (!outcome.reason.empty()) json["reason"] = outcome.reason;
   if (!outcome.scan.empty()) json["scan"] = outcome.scan;
   if (outcome.kind != OutcomeKind::done && outcome.kind != OutcomeKind::stopped) return json;

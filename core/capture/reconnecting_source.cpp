@@ -9,7 +9,9 @@
 namespace scantrove {
 namespace {
 
-std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+std::string pixelSizeText(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
 
 bool hasSizeOf(const cv::Mat& image, const Intrinsics& K) {
   return image.cols == K.width && image.rows == K.height;
@@ -59,9 +61,9 @@ Result<void> ReconnectingSource::adapt(RgbdFrame& frame) const {
   const Intrinsics own = frame.intrinsics.value_or(own_);
   if (!hasSizeOf(frame.depth, own)) {
     return fail(
-        info_.name + " sends depth images of " + sizeText(frame.depth.cols, frame.depth.rows) +
+        info_.name + " sends depth images of " + pixelSizeText(frame.depth.cols, frame.depth.rows) +
             " pixels, whose intrinsics are not known.",
-        "Set the camera to " + sizeText(wanted.width, wanted.height) + " again, or begin a new scan.");
+        "Set the camera to " + pixelSizeText(wanted.width, wanted.height) + " again, or begin a new scan.");
   }
   if (!hasSizeOf(frame.depth, wanted)) {
     adaptToCamera(frame, own, wanted, color_size_);

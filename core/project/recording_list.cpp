@@ -9,13 +9,11 @@
 
 namespace scantrove {
 
-namespace fs = std::filesystem;
-
-Result<std::vector<std::string>> readRecordingList(const fs::path& file,
+Result<std::vector<std::string>> readRecordingList(const std::filesystem::path& file,
                                                    const std::function<bool(const std::string&)>& is_path) {
   const Result<std::string> text = readTextFile(file);
   if (!text) return fail(text.error());
-  const fs::path folder = fs::absolute(file).parent_path();
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   std::vector<std::string> sources;
   for (const std::string_view line : splitLines(*text)) {
     const std::string source(trimmed(line));

@@ -36,7 +36,7 @@ class ProjectScanTest : public testing::Test {
   /// Each demo has one scan, which read its source to the end.
   void expectEachDemoOnce() const {
     std::vector<std::string> sources;
-    for (const auto& scan : scans()) sources.push_back(scan["source"]);
+    for (const auto& scan : scans()) sources.push_back(scan["source"].get<std::string>());
     std::ranges::sort(sources);
     EXPECT_EQ(sources, (std::vector<std::string>{"demo:tabletop:1", "demo:tabletop:2"}));
     const Finished again = runProgram(scanList({"--json"}));

@@ -28,7 +28,7 @@ std::unique_ptr<ReconnectingSource> reconnecting(FaultyCamera& camera,
 }
 
 /// All results up to the end, which is the last one.
-std::vector<FrameRead> readAll(FrameSource& source) {
+std::vector<FrameRead> readToEnd(FrameSource& source) {
   std::vector<FrameRead> reads;
   do {
     reads.push_back(source.next());
@@ -48,7 +48,7 @@ TEST(ReconnectingSource, GoesOn_WhenTheCameraReturns) {
   camera.frames = 8;
   camera.faults = {{3, Fault::unplugged}};
   const auto source = reconnecting(camera);
-  const std::vector<FrameRead> reads = readAll(*source);
+  const std::vector<FrameRead> reads = readToEnd(*source);
   const std::vector<FrameRead> frames = framesOf(reads);
   ASSERT_EQ(frames.size(), 8U);
   EXPECT_EQ(camera.openings, 2);
@@ -74,7 +74,7 @@ TEST(ReconnectingSource, OpensAStalledCameraAgain) {
   camera.frames = 6;
   camera.faults = {{2, Fault::stalled}};
   const auto source = reconnecting(camera);
-  EXPECT_EQ(framesOf(readAll(*source)).size(), 6U);
+  EXPECT_EQ(framesOf(readToEnd(*source)).size(), 6U);
   EXPECT_EQ(camera.openings, 2);
 }
 
@@ -83,7 +83,7 @@ TEST(ReconnectingSource, PassesDamagedFramesOn) {
   camera.frames = 6;
   camera.faults = {{2, Fault::garbage}, {4, Fault::garbage}};
   const auto source = reconnecting(camera, {60s, 1ms, 60s});
-  const std::vector<FrameRead> reads = readAll(*source);
+  const std::vector<FrameRead> reads = readToEnd(*source);
   EXPECT_EQ(framesOf(reads).size(), 4U);
   EXPECT_EQ(reads[2].status, FrameRead::Status::skipped);
   EXPECT_EQ(camera.openings, 1);
@@ -114,7 +114,7 @@ TEST(ReconnectingSource, EndsWithAReason_WhenTheCameraStaysAway) {
   camera.faults = {{2, Fault::unplugged}};
   camera.absent_openings = 1000000;
   const auto source = reconnecting(camera, {20ms, 1ms, 30ms});
-  const std::vector<FrameRead> reads = readAll(*source);
+  const std::vector<FrameRead> reads = readToEnd(*source);
   EXPECT_EQ(framesOf(reads).size(), 2U);
   ASSERT_EQ(reads.back().status, FrameRead::Status::end);
   EXPECT_THAT(reads.back().error.message(), HasSubstr("faulty camera did not come back"));
