@@ -24,18 +24,19 @@ ReconnectingSource::ReconnectingSource(std::unique_ptr<FrameSource> source, Open
       reopen_(std::move(reopen)),
       patience_(patience),
       source_(std::move(source)),
-      own_(info_.intrinsics),
-      last_frame_(Clock::now()) {}
+      own_(info_.intrinsics) {}
 
 FrameRead ReconnectingSource::next() { return source_ ? nextOfCamera() : nextOfLostCamera(); }
 
 FrameRead ReconnectingSource::nextOfCamera() {
+  const Clock::time_point start = Clock::now();
   FrameRead read = source_->next();
+  waited_ += Clock::now() - start;
   if (read.status == FrameRead::Status::failed) return lose(read.error.what);
   if (read.status == FrameRead::Status::frame) read = usable(std::move(read));
   if (read.status == FrameRead::Status::frame || read.status == FrameRead::Status::end) return read;
   // Damaged images alone are as good as none: a camera that is opened again may recover.
-  if (Clock::now() - last_frame_ < patience_.stall)
+  if (waited_ < patience_.stall)
     return read.status == FrameRead::Status::timeout && is_waiting_ ? lost() : read;
   return lose(read.error.what.empty() ? info_.name + " sends no frames." : read.error.what);
 }
@@ -48,7 +49,7 @@ FrameRead ReconnectingSource::usable(FrameRead read) {
     return read;
   }
   if (color_size_.empty()) color_size_ = frame.color.size();
-  last_frame_ = Clock::now();
+  waited_ = {};
   last_index_ = frame.index;
   last_time_s_ = frame.timestamp_s;
   has_frames_ = true;
@@ -95,7 +96,7 @@ FrameRead ReconnectingSource::nextOfLostCamera() {
     reason_ = opened.error().what;
     return lost();
   }
-  last_frame_ = Clock::now();
+  waited_ = {};
   return lost();  // until a frame comes
 }
 

@@ -54,7 +54,8 @@ class ReconnectingSource final : public FrameSource {
   int last_index_ = 0;                   // of the last usable frame
   double last_time_s_ = 0;
   bool has_frames_ = false;
-  Clock::time_point last_frame_, lost_since_, next_try_;
+  Clock::duration waited_{};  // in the camera's next(), since the last usable frame
+  Clock::time_point lost_since_, next_try_;
   bool is_waiting_ = false;  // lost, and no usable frame since
   std::string reason_;       // why it is lost, or why it cannot be used again
 };

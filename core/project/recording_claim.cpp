@@ -7,10 +7,11 @@
 #include <cerrno>
 #include <condition_variable>
 #include <cstdint>
-#include <cstdio>
 #include <ctime>
+#include <iomanip>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -168,9 +169,9 @@ std::uint64_t fnv1a(std::string_view text) {
 }  // namespace
 
 fs::path RecordingClaim::fileOf(const fs::path& folder, const std::string& source) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx.claim", static_cast<unsigned long long>(fnv1a(source)));
-  return folder / name;
+  std::ostringstream name;
+  name << std::hex << std::setw(16) << std::setfill('0') << fnv1a(source) << ".claim";
+  return folder / name.str();
 }
 
 Result<RecordingClaim::Attempt> RecordingClaim::take(const fs::path& folder, const std::string& source,

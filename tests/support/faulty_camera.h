@@ -1,10 +1,12 @@
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "core/capture/frame_source.h"
@@ -67,6 +69,7 @@ class FaultyCamera {
   FrameRead read(int first) {
     FrameRead read;
     if (is_stalled_ && first == stalled_opening_) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
       read.status = FrameRead::Status::timeout;
       return read;
     }
