@@ -28,7 +28,8 @@ namespace {
 struct ExportCommand {
   std::string folder, project, database, out, format, device, license;
   bool all_frames = false, background = false, include_unfit = false, centered = false, json = false;
-  bool checked_only = false, dry_run = false;
+  bool checked_only = false, dry_run = false, texture = false;
+  int texture_size_px = kMaxTexture_px;
   ExportChoiceOptions choices;
 };
 
@@ -45,6 +46,7 @@ Result<ExportOptions> optionsOf(const ExportCommand& command) {
   options.checked_only = command.checked_only;
   options.choices = command.choices.choices();
   options.dry_run = command.dry_run;
+  options.texture_size_px = command.texture ? command.texture_size_px : 0;
   return options;
 }
 
@@ -164,6 +166,8 @@ void checkExport(const ExportCommand& command) {
   }
   if (command.centered && (command.format != "mesh" || is_project))
     throw CLI::ValidationError("--centred", "needs --format mesh and the folder of one session");
+  if (command.texture && command.format != "mesh")
+    throw CLI::ValidationError("--texture", "needs --format mesh");
   if (!is_catalogue && command.format.empty())
     throw CLI::ValidationError("--format", "is required to export a session or a project");
   if (command.out.empty() && !command.dry_run)
@@ -196,6 +200,13 @@ void addExportCommand(CLI::App& app, CommandJob& job) {
                 "include frames that are blurred, or whose depth and colour do not fit");
   sub->add_flag("--centred,--centered", command->centered,
                 "with --format mesh: centre each object at the origin and write the offset to a file");
+  CLI::Option* texture = sub->add_flag("--texture", command->texture,
+                                       "with --format mesh: textures from the colour images of key frames");
+  sub->add_option("--texture-size", command->texture_size_px, "width and height of a texture at most")
+      ->needs(texture)
+      ->check(CLI::Range(kMinTexture_px, kMaxTexture_px))
+      ->type_name("PIXELS")
+      ->capture_default_str();
   sub->add_option("--license", command->license, "licence of the data set, for its README and LICENSE.txt")
       ->type_name("TEXT");
   command->choices.addTo(*sub);

@@ -163,7 +163,12 @@ Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& opti
     const double bytes = options.format == DatasetFormat::tum
                              ? kPoseBytes * static_cast<double>(frames->size())
                              : voxels * (is_cloud ? kCloudBytes : kMeshBytes);
-    preview.megabytes = bytes / 1e6;
+    // PNG and GLB hold the texture of the scene, objects about a third of it once more.
+    constexpr double kTexelBytes = 2 * 1.3 * 2;
+    const double texels = options.format == DatasetFormat::mesh
+                              ? static_cast<double>(options.texture_size_px) * options.texture_size_px
+                              : 0;
+    preview.megabytes = (bytes + kTexelBytes * texels) / 1e6;
     return preview;
   }
   for (const KeyFrameInfo& frame : *frames) {

@@ -46,6 +46,9 @@ enum class DatasetFormat {
 /// Error: names `name` and lists the formats.
 [[nodiscard]] Result<DatasetFormat> parseDatasetFormat(std::string_view name);
 
+/// Limits and default of ExportOptions::texture_size_px.
+inline constexpr int kMinTexture_px = 256, kMaxTexture_px = 4096;
+
 struct ExportOptions {
   DatasetFormat format = DatasetFormat::coco;
   std::filesystem::path folder;  ///< to be created; an empty one may exist
@@ -55,7 +58,8 @@ struct ExportOptions {
   std::string license = {};      ///< name or text; empty: none was given
   bool checked_only = false;     ///< only frames whose review is checked
   ExportChoices choices = {};
-  bool dry_run = false;  ///< computes the summary and writes nothing
+  bool dry_run = false;     ///< computes the summary and writes nothing
+  int texture_size_px = 0;  ///< meshes get textures of this size at most; 0: none
 };
 
 /// The progress of an export: `done` of `total` steps, and the next one ("frame 120").

@@ -70,7 +70,8 @@ namespace scantrove {
 /// cloud.pcd (PointXYZRGBL and estimated, VIEWPOINT = the first camera) and labels.json.
 [[nodiscard]] Result<void> exportPcdCloud(ExportJob& job);
 
-/// scene.ply .obj .glb, objects/NNNNNN_name.ply .obj .glb, labels.json. World frame, metres; GLB: y up.
+/// scene.ply .obj .glb, objects/NNNNNN_name.ply .obj .glb, labels.json. World frame, metres; GLB: y up. With
+/// textures also .mtl and .png beside each .obj, and the image in the .glb.
 [[nodiscard]] Result<void> exportMesh(ExportJob& job);
 /// The same with each object centred in the origin (centered_mesh.h).
 [[nodiscard]] Result<void> exportCenteredObjects(ExportJob& job);

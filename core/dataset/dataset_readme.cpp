@@ -97,7 +97,9 @@ std::string_view aboutFiles(DatasetFormat format) {
       return "Surfaces as PLY, OBJ and GLB in metres: the scene, and each object in `objects/`. PLY and OBJ "
              "are\n"
              "in the world of the recording, GLB has y up. Centred objects have a JSON file with the offset\n"
-             "back into the scene.\n";
+             "back into the scene. Textures, if there are any, are beside OBJ (MTL, PNG) and within GLB; PLY "
+             "has\n"
+             "colours of vertices.\n";
     case DatasetFormat::tum:
       return "`trajectory.txt` has a line `time x y z qx qy qz qw` for each tracked frame: seconds, metres, "
              "and\n"

@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/dataset/mesh_parts.h"
+#include "core/dataset/texture_corners.h"
 
 namespace scantrove {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 constexpr std::uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2, kJsonChunk = 0x4E4F534A,
                         kBinaryChunk = 0x004E4942;
 constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
+constexpr int kLinear = 9729, kLinearMipmaps = 9987, kClampToEdge = 33071;
 constexpr int kVertexTarget = 34962, kIndexTarget = 34963;
 constexpr std::size_t kGlbHeaderBytes = 12, kChunkHeaderBytes = 8;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
@@ -53,12 +56,8 @@ class GlbBuilder {
 
   void add(const GlbPart& part) {
     if (part.mesh.faces.empty()) return;  // glTF has no empty meshes
-    const int positions = addPositions(part.mesh), normals = addNormals(part.mesh),
-              colors = addColors(part.mesh), indices = addIndices(part.mesh);
-    const ExportJson primitive = {
-        {"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"COLOR_0", colors}}},
-        {"indices", indices},
-        {"material", 0}};
+    const ExportJson primitive =
+        part.textures.empty() ? coloredPrimitive(part.mesh) : texturedPrimitive(part.mesh, part.textures);
     const std::size_t number = json_["meshes"].size();
     json_["meshes"].push_back({{"name", part.name}, {"primitives", ExportJson::array({primitive})}});
     ExportJson node = {{"name", part.name}, {"mesh", number}};
@@ -67,6 +66,22 @@ class GlbBuilder {
     if (!moved.isZero(0)) node["translation"] = {moved.x(), moved.y(), moved.z()};
     json_["nodes"].push_back(std::move(node));
     json_["scenes"][0]["nodes"].push_back(number);
+  }
+
+  /// Embeds the image of the material.
+  void addTexture(const std::string& png) {
+    const std::size_t start = binary_.size();
+    binary_ += png;
+    json_["images"] =
+        ExportJson::array({{{"mimeType", "image/png"}, {"bufferView", json_["bufferViews"].size()}}});
+    json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", start}, {"byteLength", png.size()}});
+    binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
+    json_["samplers"] = ExportJson::array({{{"magFilter", kLinear},
+                                            {"minFilter", kLinearMipmaps},
+                                            {"wrapS", kClampToEdge},
+                                            {"wrapT", kClampToEdge}}});
+    json_["textures"] = ExportJson::array({{{"sampler", 0}, {"source", 0}}});
+    json_["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   }
 
   Result<std::string> finish() {
@@ -108,6 +123,39 @@ class GlbBuilder {
         {{"buffer", 0}, {"byteOffset", start}, {"byteLength", binary_.size() - start}, {"target", target}});
     json_["accessors"].push_back(std::move(accessor));
     return static_cast<int>(json_["accessors"].size()) - 1;
+  }
+
+  ExportJson coloredPrimitive(const LabeledMesh& mesh) {
+    const int positions = addPositions(mesh), normals = addNormals(mesh), colors = addColors(mesh),
+              indices = addIndices(mesh);
+    return {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"COLOR_0", colors}}},
+            {"indices", indices},
+            {"material", 0}};
+  }
+
+  /// glTF has one index for all attributes, so vertices at seams are repeated.
+  ExportJson texturedPrimitive(const LabeledMesh& mesh, std::span<const FaceTexture> textures) {
+    TextureCorners texture = textureCornersOf(mesh, textures);
+    LabeledMesh repeated;
+    repeated.vertices.reserve(texture.corners.size());
+    for (const TextureCorners::Corner& corner : texture.corners)
+      repeated.vertices.push_back(mesh.vertices[corner.vertex]);
+    repeated.faces = std::move(texture.faces);
+    const int positions = addPositions(repeated), normals = addNormals(repeated),
+              places = addPlaces(texture.corners), indices = addIndices(repeated);
+    return {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", places}}},
+            {"indices", indices},
+            {"material", 0}};
+  }
+
+  int addPlaces(std::span<const TextureCorners::Corner> corners) {
+    const std::size_t start = binary_.size();
+    for (const TextureCorners::Corner& corner : corners) {
+      append(binary_, corner.place.x());
+      append(binary_, corner.place.y());
+    }
+    return describe(start, kVertexTarget,
+                    {{"componentType", kFloat}, {"count", corners.size()}, {"type", "VEC2"}});
   }
 
   int addPositions(const LabeledMesh& mesh) {
@@ -162,9 +210,10 @@ class GlbBuilder {
 
 }  // namespace
 
-Result<std::string> encodeGlb(std::span<const GlbPart> parts) {
+Result<std::string> encodeGlb(std::span<const GlbPart> parts, const std::string& png) {
   GlbBuilder builder;
   for (const GlbPart& part : parts) builder.add(part);
+  if (!png.empty()) builder.addTexture(png);
   return builder.finish();
 }
 

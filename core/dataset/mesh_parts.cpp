@@ -33,17 +33,26 @@ struct Part {
 
 }  // namespace
 
-std::unordered_map<std::uint32_t, LabeledMesh> splitByRegion(const LabeledMesh& mesh,
-                                                             std::span<const LabeledRegion> regions) {
+std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> facesByRegion(
+    const LabeledMesh& mesh, std::span<const LabeledRegion> regions) {
   std::unordered_set<std::uint32_t> requested;
   for (const LabeledRegion& region : regions) requested.insert(region.id);
-  std::unordered_map<std::uint32_t, Part> parts;
-  for (const auto& face : mesh.faces) {
-    const std::uint32_t region = regionOfFace(mesh, face);
-    parts[requested.contains(region) ? region : 0].add(mesh, face);
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> faces;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    const std::uint32_t region = regionOfFace(mesh, mesh.faces[face]);
+    faces[requested.contains(region) ? region : 0].push_back(face);
   }
+  return faces;
+}
+
+std::unordered_map<std::uint32_t, LabeledMesh> splitByRegion(const LabeledMesh& mesh,
+                                                             std::span<const LabeledRegion> regions) {
   std::unordered_map<std::uint32_t, LabeledMesh> meshes;
-  for (auto& [region, part] : parts) meshes.emplace(region, std::move(part.mesh));
+  for (const auto& [region, faces] : facesByRegion(mesh, regions)) {
+    Part part;
+    for (const std::uint32_t face : faces) part.add(mesh, mesh.faces[face]);
+    meshes.emplace(region, std::move(part.mesh));
+  }
   return meshes;
 }
 

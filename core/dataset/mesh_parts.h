@@ -9,8 +9,13 @@
 
 namespace scantrove {
 
-/// The part of the surface of each region, by its id; 0: the faces of no region in `regions`. A face
-/// belongs to the region of two of its corners, else of the first. Unused vertices are left out.
+/// The faces of each region, ascending, by its id; 0: the faces of no region in `regions`. A face belongs to
+/// the region of two of its corners, else of the first.
+[[nodiscard]] std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> facesByRegion(
+    const LabeledMesh& mesh, std::span<const LabeledRegion> regions);
+
+/// The part of the surface of each region with the faces of facesByRegion(), in their order. Unused vertices
+/// are left out.
 [[nodiscard]] std::unordered_map<std::uint32_t, LabeledMesh> splitByRegion(
     const LabeledMesh& mesh, std::span<const LabeledRegion> regions);
 

@@ -1,7 +1,9 @@
 #pragma once
+#include <span>
 #include <string>
 
 #include "core/dataset/labeled_scan.h"
+#include "core/texturing/texture_surface.h"
 
 namespace scantrove {
 
@@ -10,5 +12,14 @@ namespace scantrove {
 /// to all positions.
 [[nodiscard]] std::string encodeObj(const LabeledMesh& mesh, const std::string& name,
                                     const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+
+/// The same with a texture: `v x y z`, `vt` from the lower left corner, `vn`, `f a/b/a ...`, and the material
+/// of encodeMtl() in `mtl_file`, a name without blanks. `textures`: of the faces of `mesh`, in their order.
+[[nodiscard]] std::string encodeTexturedObj(const LabeledMesh& mesh, std::span<const FaceTexture> textures,
+                                            const std::string& name, const std::string& mtl_file,
+                                            const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+
+/// The text of a material library with a matt material of the texture in `image_file`, a name without blanks.
+[[nodiscard]] std::string encodeMtl(const std::string& image_file);
 
 }  // namespace scantrove

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/dataset/depth_raster.h"
+#include "core/texturing/depth_raster.h"
 
 namespace scantrove {
 namespace {

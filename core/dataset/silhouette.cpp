@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/dataset/depth_raster.h"
+#include "core/texturing/depth_raster.h"
 
 namespace scantrove {
 

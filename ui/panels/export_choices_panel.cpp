@@ -24,6 +24,8 @@ ExportChoicesPanel::ExportChoicesPanel(QWidget* parent)
       all_frames_(new QCheckBox(tr("All &stored frames, not only key frames"))),
       background_(new QCheckBox(tr("Include &background and rejected regions"))),
       include_unfit_(new QCheckBox(tr("Include &unfit frames"))),
+      checked_only_(new QCheckBox(tr("Only chec&ked key frames"))),
+      textures_(new QCheckBox(tr("&Textures"))),
       labels_(new QComboBox),
       unlabeled_(new QComboBox),
       classes_(new QListWidget),
@@ -49,6 +51,8 @@ ExportChoicesPanel::ExportChoicesPanel(QWidget* parent)
   license_->setPlaceholderText(tr("none, or for example CC BY 4.0"));
   license_->setToolTip(tr("Written into the data set's README and LICENSE.txt"));
   include_unfit_->setToolTip(tr("Frames that are blurred, or whose depth and colour do not fit"));
+  checked_only_->setToolTip(tr("Only key frames that you have checked in the review"));
+  textures_->setToolTip(tr("OBJ and GLB show the colour images of the key frames"));
 
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
@@ -59,8 +63,10 @@ ExportChoicesPanel::ExportChoicesPanel(QWidget* parent)
   form->addRow(QString(), all_frames_);
   form->addRow(QString(), background_);
   form->addRow(QString(), include_unfit_);
+  form->addRow(QString(), checked_only_);
+  form->addRow(QString(), textures_);
   form->addRow(tr("&License"), license_);
-  for (QCheckBox* box : {all_frames_, background_, include_unfit_})
+  for (QCheckBox* box : {all_frames_, background_, include_unfit_, checked_only_, textures_})
     connect(box, &QCheckBox::toggled, this, &ExportChoicesPanel::changed);
   for (QComboBox* box : {labels_, unlabeled_})
     connect(box, &QComboBox::currentIndexChanged, this, &ExportChoicesPanel::changed);
@@ -71,6 +77,8 @@ void ExportChoicesPanel::apply(ExportOptions& options) const {
   options.all_frames = all_frames_->isChecked();
   options.background = background_->isChecked();
   options.include_unfit = include_unfit_->isChecked();
+  options.checked_only = checked_only_->isChecked();
+  options.texture_size_px = textures_->isChecked() && !textures_->isHidden() ? kMaxTexture_px : 0;
   options.license = license_->text().trimmed().toStdString();
   options.choices.labels = static_cast<ExportedLabels>(labels_->currentIndex());
   options.choices.unlabeled = static_cast<UnlabeledObjects>(unlabeled_->currentIndex());
@@ -82,7 +90,9 @@ void ExportChoicesPanel::apply(ExportOptions& options) const {
 void ExportChoicesPanel::showFor(DatasetFormat format, bool is_project) {
   const bool divides_frames = format == DatasetFormat::yolo || format == DatasetFormat::voc;
   validation_->setEnabled(divides_frames && !is_project);
-  for (QWidget* widget : std::initializer_list<QWidget*>{unlabeled_, all_frames_, include_unfit_})
+  textures_->setVisible(format == DatasetFormat::mesh);
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{unlabeled_, all_frames_, include_unfit_, checked_only_})
     widget->setEnabled(hasImages(format));
 }
 

@@ -37,6 +37,8 @@ class ExportChoicesPanel : public QWidget {
   QCheckBox* all_frames_;
   QCheckBox* background_;
   QCheckBox* include_unfit_;
+  QCheckBox* checked_only_;
+  QCheckBox* textures_;
   QComboBox* labels_;
   QComboBox* unlabeled_;
   QListWidget* classes_;

@@ -245,6 +245,15 @@ TEST(CommandLine, RefusesExports_WhenOptionsContradict) {
   expectRefused(parse({"export", "--database", "db", "--license", "CC0", "--out", "x"}), {"--license"});
   expectRefused(parse({"export", "scan", "--out", "x"}), {"--format"});
   expectRefused(parse({"export", "scan", "--format", "ply", "--centred", "--out", "x"}), {"--centred"});
+  for (const char* format : {"ply", "coco", "bop", "scannet"}) {
+    expectRefused(parse({"export", "scan", "--format", format, "--texture", "--out", "x"}),
+                  {"--texture", "--format mesh"});
+  }
+  expectRefused(parse({"export", "scan", "--format", "mesh", "--texture-size", "512", "--out", "x"}),
+                {"--texture"});
+  expectRefused(
+      parse({"export", "scan", "--format", "mesh", "--texture", "--texture-size", "9000", "--out", "x"}),
+      {"--texture-size"});
 }
 
 TEST(CommandLine, AcceptsEveryFormatOfExports) {

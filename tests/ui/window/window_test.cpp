@@ -201,6 +201,25 @@ TEST_F(WindowTest, ExportDialogIncludesUnfitFrames_WhenTicked) {
   EXPECT_FALSE(dialog.options().background);
 }
 
+TEST_F(WindowTest, ExportDialogOffersTexturesForMeshes) {
+  const ExportDialog dialog(QStringLiteral("kitchen"), window_.get());
+  auto* format = dialog.findChild<QComboBox*>();
+  for (QCheckBox* box : dialog.findChildren<QCheckBox*>()) {
+    if (!box->text().contains(QStringLiteral("Textures"))) continue;
+    format->setCurrentIndex(format->findText(QStringLiteral("COCO")));
+    EXPECT_TRUE(box->isHidden());
+    box->setChecked(true);
+    EXPECT_EQ(dialog.options().texture_size_px, 0);
+    format->setCurrentIndex(format->findText(QStringLiteral("MESH")));
+    EXPECT_FALSE(box->isHidden());
+    EXPECT_EQ(dialog.options().texture_size_px, kMaxTexture_px);
+    box->setChecked(false);
+    EXPECT_EQ(dialog.options().texture_size_px, 0);
+    return;
+  }
+  FAIL() << "no box for textures";
+}
+
 TEST_F(WindowTest, ExportDialogOffersEveryFormatAndALicense) {
   const ExportDialog dialog(QStringLiteral("kitchen"), window_.get());
   auto* format = dialog.findChild<QComboBox*>();

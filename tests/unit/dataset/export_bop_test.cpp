@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/dataset/depth_raster.h"
+#include "core/texturing/depth_raster.h"
 #include "core/dataset/silhouette.h"
 #include "tests/unit/dataset/exported.h"
 #include "tests/unit/dataset/ply_reader.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/dataset/depth_raster.h"
+#include "core/texturing/depth_raster.h"
 #include "tests/unit/dataset/scanned_scene.h"
 
 namespace scantrove::test {

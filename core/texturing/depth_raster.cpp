@@ -1,4 +1,4 @@
-#include "core/dataset/depth_raster.h"
+#include "core/texturing/depth_raster.h"
 
 #include <algorithm>
 #include <cmath>
