@@ -60,8 +60,11 @@ class DemoScan(unittest.TestCase):
         self.assertGreater(len(listed), 3)
         for region in listed:
             own = known[region["id"]]
-            self.assertEqual(own.voxels, region["voxels"])
-            self.assertEqual(own.name, region.get("name") or "")
+            self.assertGreater(own.voxels, 0)
+            self.assertEqual(own.name, region["name"])
+            self.assertEqual(own.object, region["object"])
+            if own.box is not None:  # voxels are 5 to 10 mm wide
+                np.testing.assert_allclose(own.box, region["box_m"], atol=0.02)
 
 
 if __name__ == "__main__":

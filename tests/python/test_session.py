@@ -175,13 +175,13 @@ class SessionTest(unittest.TestCase):
 
     def test_regions_have_names_classes_and_boxes(self):
         self.write().commit()
-        points = [(1, 2, 3, 5), (2, 1, 3, 5), (9, 9, 9, 0)]
+        points = [(1, 2, 3, 5, 0), (2, 1, 3, 5, 0), (9, 9, 9, 0, 0), (8, 8, 8, 5, 1)]  # the last one is estimated
         header = (
-            "ply\nformat binary_little_endian 1.0\ncomment metres\nelement vertex 3\nproperty double x\n"
-            "property double y\nproperty double z\nproperty uint label\nelement face 0\n"
+            "ply\nformat binary_little_endian 1.0\ncomment metres\nelement vertex 4\nproperty double x\n"
+            "property double y\nproperty double z\nproperty uint label\nproperty uchar estimated\nelement face 0\n"
             "property list uchar int vertex_indices\nend_header\n"
         )
-        body = b"".join(struct.pack("<dddI", *point) for point in points)
+        body = b"".join(struct.pack("<dddIB", *point) for point in points)
         (self.folder / "cloud.ply").write_bytes(header.encode() + body)
         mug, deleted, table = scantrove.Session(self.folder).regions
         self.assertEqual((mug.id, mug.name, mug.class_name, mug.object), (5, "mug 2", "mug", 3))

@@ -109,10 +109,10 @@ class Region:
     rejected: bool
     """"Not an object", by a person."""
     voxels: int
-    """Of the map."""
+    """Of the map, those of its fragments."""
     box: np.ndarray | None
-    """(2, 3): lowest and highest corner along the axes of the world, metres, of the points in the cloud of the
-    scan's results; None: there is no such cloud, or no such point."""
+    """(2, 3): lowest and highest corner along the axes of the world, metres, of the measured points in the cloud of
+    the scan's results; None: there is no such cloud, or no such point."""
 
 
 class Session:
@@ -272,11 +272,13 @@ class Session:
         cloud = self.cloud()
         if cloud is None or "label" not in cloud:
             return {}
-        order = np.argsort(cloud["label"], kind="stable")
-        labels, first = np.unique(cloud["label"][order], return_index=True)
+        is_measured = ~cloud.get("estimated", np.zeros(len(cloud["label"]), bool))
+        labels, xyz = cloud["label"][is_measured], cloud["xyz"][is_measured]
+        order = np.argsort(labels, kind="stable")
+        labels, first = np.unique(labels[order], return_index=True)
         if not len(labels):
             return {}
-        xyz = cloud["xyz"][order]
+        xyz = xyz[order]
         low, high = np.minimum.reduceat(xyz, first), np.maximum.reduceat(xyz, first)
         return {int(label): np.stack([low[i], high[i]]) for i, label in enumerate(labels)}
 
