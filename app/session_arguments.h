@@ -30,6 +30,7 @@ struct SessionArguments {
   std::vector<std::string> polygons;  ///< "x,y,x,y,x,y"
   bool paint_adds = false, paint_removes = false, paint_sets = false;
   bool this_image_only = false;
+  bool new_region = false;
   std::string out;
   std::vector<int> review_frames;
   std::string review_state;

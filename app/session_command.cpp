@@ -94,40 +94,58 @@ void addBackground(CLI::App& parent, const std::shared_ptr<SessionArguments>& ar
 }
 
 void checkPaint(const SessionArguments& given) {
-  if (given.paint_adds + given.paint_removes + given.paint_sets != 1)
-    throw CLI::ValidationError("--add", "--remove and --set exclude each other. Give one of them");
+  if (given.paint_adds + given.paint_removes + given.paint_sets + given.new_region != 1)
+    throw CLI::ValidationError("--add, --remove, --set",
+                               "and --new-region exclude each other. Give one of them");
   if (given.mask_file.empty() == given.polygons.empty())
     throw CLI::ValidationError("MASK", "and --polygon say what is painted. Give one of them");
+  if (given.new_region != given.regions.empty())
+    throw CLI::ValidationError("--region", "is needed, except with --new-region");
+  if (given.new_region && given.this_image_only)
+    throw CLI::ValidationError("--this-image-only", "excludes --new-region");
+  if (!given.new_region && (!given.name.empty() || given.category))
+    throw CLI::ValidationError("--name, --class", "need --new-region; 'scantrove session name' names others");
+}
+
+Result<void> paintByArguments(OpenSession& session, const SessionArguments& arguments) {
+  return arguments.new_region ? paintNewRegion(session, arguments) : paintRegion(session, arguments);
 }
 
 /// `add_frame`: adds the option --frame.
 void addPaint(CLI::App& parent, const std::shared_ptr<SessionArguments>& arguments, CommandJob& job,
               const std::function<void(CLI::App&)>& add_frame) {
-  CLI::App* paint =
+  const auto addRegion = [&](CLI::App& sub) {
+    return sub.add_option("--region", arguments->regions, "number of the region")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->type_name("R");
+  };
+  CLI::App* sub =
       addAction(parent, "paint", "Correct the mask of a region in one image, and the regions behind",
-                arguments, job, paintRegion, checkPaint);
-  paint->add_option("MASK", arguments->mask_file,
-                    "grey image of 8 bits with the size of the colour image: values above 127 are painted");
-  add_frame(*paint);
-  paint->add_option("--region", arguments->regions, "number of the region")
-      ->required()
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->type_name("R");
-  paint->add_flag("--add", arguments->paint_adds, "painted pixels are the region");
-  paint->add_flag("--remove", arguments->paint_removes, "painted pixels are not the region");
-  paint->add_flag("--set", arguments->paint_sets, "painted pixels are the region, all others are not");
-  paint
-      ->add_option("--polygon", arguments->polygons,
-                   "instead of MASK: columns and rows of an outline; may be repeated, also for holes")
+                arguments, job, paintByArguments, checkPaint);
+  sub->add_option("MASK", arguments->mask_file,
+                  "grey image of 8 bits with the size of the colour image: values above 127 are painted");
+  add_frame(*sub);
+  addRegion(*sub);
+  sub->add_flag("--add", arguments->paint_adds, "painted pixels are the region");
+  sub->add_flag("--remove", arguments->paint_removes, "painted pixels are not the region");
+  sub->add_flag("--set", arguments->paint_sets, "painted pixels are the region, all others are not");
+  sub->add_flag("--new-region", arguments->new_region,
+                "instead of --region: what is painted becomes a region of its own");
+  sub->add_option("--name", arguments->name, "name of the new region")->type_name("N");
+  sub->add_option("--class,--category", arguments->category, "class of the new region")->type_name("C");
+  sub->add_option("--polygon", arguments->polygons,
+                  "instead of MASK: columns and rows of an outline; may be repeated, also for holes")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("x,y,...");
-  paint->add_flag("--this-image-only", arguments->this_image_only,
-                  "leave regions and other images unchanged");
-  paint->add_flag("--no-catalogue", arguments->without_catalogue,
-                  "change the session only, not its catalogue");
+  sub->add_flag("--this-image-only", arguments->this_image_only, "leave regions and other images unchanged");
+  sub->add_flag("--no-catalogue", arguments->without_catalogue, "change the session only, not its catalogue");
+  CLI::App* unpaint = addAction(parent, "unpaint", "Take back what was painted for a region in one image",
+                                arguments, job, unpaintRegion);
+  add_frame(*unpaint);
+  addRegion(*unpaint)->required();
   CLI::App* masks = addAction(parent, "masks", "Write the regions of one image as a PNG of 16 bits",
                               arguments, job, writeMasksOfImage);
   add_frame(*masks);

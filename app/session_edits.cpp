@@ -12,24 +12,6 @@
 namespace scantrove {
 namespace {
 
-/// Prints the current numbers of the regions that an operation changed.
-Result<void> report(const Result<RegionEditor::Outcome>& outcome, const SessionArguments& arguments) {
-  if (!outcome) return fail(outcome.error());
-  Json regions = Json::array();
-  for (const RegionId region : outcome->regions) regions.push_back(region.value);
-  if (arguments.json) {
-    printJson({{"regions", regions}});
-    return {};
-  }
-  const char* separator = "";
-  for (const RegionId region : outcome->regions) {
-    std::cout << separator << region.value;
-    separator = " ";
-  }
-  std::cout << '\n';
-  return {};
-}
-
 Operation operationOn(OperationKind kind, const SessionArguments& arguments) {
   Operation operation;
   operation.kind = kind;
@@ -52,6 +34,23 @@ Result<void> checkSteps(const OpenSession& session, OperationLog::State state, i
 
 }  // namespace
 
+Result<void> reportEdit(const Result<RegionEditor::Outcome>& outcome, const SessionArguments& arguments) {
+  if (!outcome) return fail(outcome.error());
+  Json regions = Json::array();
+  for (const RegionId region : outcome->regions) regions.push_back(region.value);
+  if (arguments.json) {
+    printJson({{"regions", regions}});
+    return {};
+  }
+  const char* separator = "";
+  for (const RegionId region : outcome->regions) {
+    std::cout << separator << region.value;
+    separator = " ";
+  }
+  std::cout << '\n';
+  return {};
+}
+
 void updateCatalogue(OpenSession& session, const SessionArguments& arguments) {
   if (arguments.without_catalogue || catalogueFileOf(session).empty()) return;
   if (const Result<void> applied = applyToCatalogue(session); !applied)
@@ -63,7 +62,7 @@ Result<void> performEdit(OpenSession& session, const SessionArguments& arguments
                          const Operation& operation) {
   const auto outcome = session.edit(operation);
   if (outcome) updateCatalogue(session, arguments);
-  return report(outcome, arguments);
+  return reportEdit(outcome, arguments);
 }
 
 Result<void> editSession(OpenSession& session, const SessionArguments& arguments, OperationKind kind) {
@@ -115,7 +114,7 @@ Result<void> cutRegion(OpenSession& session, const SessionArguments& arguments) 
       places->push_back(point->point_world);
     }
   }
-  return report(session.edit(operation), arguments);
+  return reportEdit(session.edit(operation), arguments);
 }
 
 Result<void> undoEdits(OpenSession& session, const SessionArguments& arguments) {
@@ -125,7 +124,7 @@ Result<void> undoEdits(OpenSession& session, const SessionArguments& arguments) 
     outcome = session.undo();
     if (outcome) updateCatalogue(session, arguments);
   }
-  return report(outcome, arguments);
+  return reportEdit(outcome, arguments);
 }
 
 Result<void> redoEdits(OpenSession& session, const SessionArguments& arguments) {
@@ -135,7 +134,7 @@ Result<void> redoEdits(OpenSession& session, const SessionArguments& arguments) 
     outcome = session.redo();
     if (outcome) updateCatalogue(session, arguments);
   }
-  return report(outcome, arguments);
+  return reportEdit(outcome, arguments);
 }
 
 }  // namespace scantrove

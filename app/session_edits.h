@@ -6,6 +6,10 @@ namespace scantrove {
 // Edits of `scantrove session`, which change the session and its catalogue. Each prints the current numbers
 // of the changed regions.
 
+/// Prints the current numbers of the regions that an operation changed. Error: that of the outcome.
+[[nodiscard]] Result<void> reportEdit(const Result<RegionEditor::Outcome>& outcome,
+                                      const SessionArguments& arguments);
+
 /// Performs the operation in the session and its catalogue.
 [[nodiscard]] Result<void> performEdit(OpenSession& session, const SessionArguments& arguments,
                                        const Operation& operation);

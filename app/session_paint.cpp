@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <opencv2/core.hpp>
 #include <system_error>
 #include <unordered_set>
@@ -20,6 +21,7 @@
 #include "core/image/image_file.h"
 #include "core/image/png_encoder.h"
 #include "core/pipeline/mapping_pipeline.h"
+#include "core/session/session_catalogue.h"
 #include "core/session/session_scan.h"
 
 namespace scantrove {
@@ -87,28 +89,110 @@ Result<cv::Mat> inSixteenBits(const cv::Mat& regions) {
   return image;
 }
 
-}  // namespace
+/// What the arguments say is painted, in the pixels of the frame's image.
+struct PaintedFrame {
+  KeyFrameInfo frame;
+  cv::Mat mask;  ///< CV_8UC1
+};
 
-Result<void> paintRegion(OpenSession& session, const SessionArguments& arguments) {
-  SessionScan scan(session);
+Result<PaintedFrame> paintedFrame(SessionScan& scan, const OpenSession& session,
+                                  const SessionArguments& arguments) {
   const Result<KeyFrameInfo> frame = keyFrameOf(scan, session, arguments.frame);
   if (!frame) return fail(frame.error());
   const Intrinsics& K = frame->color_file.empty() ? frame->K_depth : frame->K_color;
   const cv::Size size(K.width, K.height);
-  const Result<cv::Mat> painted = arguments.polygons.empty()
-                                      ? maskFromFile(arguments.mask_file, size, arguments.frame)
-                                      : maskFromPolygons(arguments.polygons, size);
+  const Result<cv::Mat> mask = arguments.polygons.empty()
+                                   ? maskFromFile(arguments.mask_file, size, arguments.frame)
+                                   : maskFromPolygons(arguments.polygons, size);
+  if (!mask) return fail(mask.error());
+  return PaintedFrame{*frame, *mask};
+}
+
+/// A correction of the frame's image.
+MaskCorrection correctionIn(const SessionScan& scan, const SessionArguments& arguments, const cv::Mat& added,
+                            const cv::Mat& removed) {
+  MaskCorrection correction = correctionOf(added, removed);
+  correction.key_frame = scan.keyFrameOf(arguments.frame)->frame;
+  correction.image = arguments.frame;
+  return correction;
+}
+
+/// The key frame with all its regions.
+Result<KeyFrameImage> labeledFrame(SessionScan& scan, OpenSession& session, const KeyFrameInfo& frame) {
+  Result<KeyFrameImage> image = readKeyFrameImage(scan, frame);
+  if (!image) return image;
+  std::unordered_set<int> all;
+  for (const RegionId region : session.pipeline().labels().table().regions())
+    all.insert(static_cast<int>(region.value));
+  SCANTROVE_TRY(labelImage(scan, *image, all));
+  return image;
+}
+
+/// The region that most painted pixels show; none: they show none.
+RegionId regionUnder(const cv::Mat& mask, const cv::Mat& regions) {
+  std::map<int, int> pixels;
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (mask.at<std::uint8_t>(y, x) != 0 && regions.at<int>(y, x) != 0) ++pixels[regions.at<int>(y, x)];
+    }
+  }
+  const auto most = std::ranges::max_element(pixels, {}, [](const auto& count) { return count.second; });
+  return most == pixels.end() ? RegionId{} : RegionId{static_cast<std::uint32_t>(most->first)};
+}
+
+}  // namespace
+
+Result<void> paintRegion(OpenSession& session, const SessionArguments& arguments) {
+  SessionScan scan(session);
+  const Result<PaintedFrame> painted = paintedFrame(scan, session, arguments);
   if (!painted) return fail(painted.error());
-  const cv::Mat nothing = cv::Mat::zeros(size, CV_8UC1);
+  const cv::Mat nothing = cv::Mat::zeros(painted->mask.size(), CV_8UC1);
   Operation operation{.kind = OperationKind::paint};
   for (const std::uint32_t region : arguments.regions) operation.regions.push_back(RegionId{region});
-  operation.correction = correctionOf(arguments.paint_removes ? nothing : *painted,
-                                      arguments.paint_removes ? *painted
-                                      : arguments.paint_sets  ? cv::Mat(*painted == 0)
+  operation.correction = correctionIn(scan, arguments, arguments.paint_removes ? nothing : painted->mask,
+                                      arguments.paint_removes ? painted->mask
+                                      : arguments.paint_sets  ? cv::Mat(painted->mask == 0)
                                                               : nothing);
-  operation.correction->key_frame = scan.keyFrameOf(arguments.frame)->frame;
-  operation.correction->image = arguments.frame;
   operation.correction->this_image_only = arguments.this_image_only;
+  return performEdit(session, arguments, operation);
+}
+
+Result<void> paintNewRegion(OpenSession& session, const SessionArguments& arguments) {
+  Operation naming{
+      .kind = OperationKind::name, .name = arguments.name, .category = arguments.category.value_or("")};
+  SCANTROVE_TRY(moveInto(naming, withCheckedNames(naming)));
+  SessionScan scan(session);
+  const Result<PaintedFrame> painted = paintedFrame(scan, session, arguments);
+  if (!painted) return fail(painted.error());
+  const Result<KeyFrameImage> image = labeledFrame(scan, session, painted->frame);
+  if (!image) return fail(image.error());
+  const RegionId under = regionUnder(painted->mask, image->image.regions);
+  if (!under) return fail("The painted pixels show no region.", "Paint something that was scanned.");
+  Operation operation{.kind = OperationKind::paint, .regions = {under}};
+  operation.correction =
+      correctionIn(scan, arguments, painted->mask, cv::Mat::zeros(painted->mask.size(), CV_8UC1));
+  operation.correction->makes_region = true;
+  const auto outcome = session.edit(operation);
+  if (outcome && !naming.name.empty()) {
+    naming.regions = {outcome->regions.front()};
+    session.setMetadata(sessionOnlyKeyOf(naming.regions.front()),
+                        arguments.without_catalogue ? naming.name : "");
+    const auto named = session.edit(naming);
+    if (!named) return fail(named.error());
+  }
+  if (outcome) updateCatalogue(session, arguments);
+  return reportEdit(outcome, arguments);
+}
+
+Result<void> unpaintRegion(OpenSession& session, const SessionArguments& arguments) {
+  SessionScan scan(session);
+  const Result<KeyFrameInfo> frame = keyFrameOf(scan, session, arguments.frame);
+  if (!frame) return fail(frame.error());
+  const Intrinsics& K = frame->color_file.empty() ? frame->K_depth : frame->K_color;
+  const cv::Mat nothing = cv::Mat::zeros(K.height, K.width, CV_8UC1);
+  Operation operation{.kind = OperationKind::unpaint};
+  for (const std::uint32_t region : arguments.regions) operation.regions.push_back(RegionId{region});
+  operation.correction = correctionIn(scan, arguments, nothing, nothing);
   return performEdit(session, arguments, operation);
 }
 
@@ -119,12 +203,8 @@ Result<void> writeMasksOfImage(OpenSession& session, const SessionArguments& arg
   SessionScan scan(session);
   const Result<KeyFrameInfo> frame = keyFrameOf(scan, session, arguments.frame);
   if (!frame) return fail(frame.error());
-  Result<KeyFrameImage> image = readKeyFrameImage(scan, *frame);
+  const Result<KeyFrameImage> image = labeledFrame(scan, session, *frame);
   if (!image) return fail(image.error());
-  std::unordered_set<int> all;
-  for (const RegionId region : session.pipeline().labels().table().regions())
-    all.insert(static_cast<int>(region.value));
-  SCANTROVE_TRY(labelImage(scan, *image, all));
   const Result<cv::Mat> numbers = inSixteenBits(image->image.regions);
   if (!numbers) return fail(numbers.error());
   SCANTROVE_TRY(writeFileAtomically(arguments.out, encodePng(*numbers)));

@@ -10,6 +10,15 @@ namespace scantrove {
 /// as OpenSession::edit().
 [[nodiscard]] Result<void> paintRegion(OpenSession& session, const SessionArguments& arguments);
 
+/// Makes what is painted in the image of a key frame a region of its own, in all images, and names it if a
+/// name is given. Prints its number, then the others that changed. Error: as paintRegion(), or the map has no
+/// surface there.
+[[nodiscard]] Result<void> paintNewRegion(OpenSession& session, const SessionArguments& arguments);
+
+/// Takes what was painted for a region in the image of a key frame away. The regions behind stay. Error:
+/// nothing is painted there.
+[[nodiscard]] Result<void> unpaintRegion(OpenSession& session, const SessionArguments& arguments);
+
 /// Writes the regions of a key frame's image, as data sets have them, to a new PNG of 16 bits.
 [[nodiscard]] Result<void> writeMasksOfImage(OpenSession& session, const SessionArguments& arguments);
 

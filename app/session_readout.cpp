@@ -51,9 +51,11 @@ const char* wordFor(OperationLog::State state) {
 std::string correctionText(const OpenSession& session, const Operation& paint) {
   const RegionId region = paint.regions.empty() ? RegionId{} : paint.regions.front();
   const std::string name = session.labelOf(region).name;
-  return "Correct mask of " + (name.empty() ? "region " + std::to_string(region.value) : inLine(name)) +
-         " in image " + std::to_string(paint.correction->image) +
-         (paint.correction->this_image_only ? " only" : "");
+  const char* what = paint.kind == OperationKind::unpaint ? "Take back the painted mask of "
+                     : paint.correction->makes_region     ? "Paint a new region on "
+                                                          : "Correct mask of ";
+  return what + (name.empty() ? "region " + std::to_string(region.value) : inLine(name)) + " in image " +
+         std::to_string(paint.correction->image) + (paint.correction->this_image_only ? " only" : "");
 }
 
 }  // namespace

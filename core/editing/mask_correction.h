@@ -10,6 +10,9 @@ struct MaskCorrection {
   /// Of one size, that of the colour image (without colour: of the depth image), without common pixels.
   PaintedPixels added = {}, removed = {};
   bool this_image_only = false;  ///< leaves the regions behind the image as they are
+  /// The surface behind the added pixels becomes a region of its own. The operation's region is then one
+  /// that the image shows there.
+  bool makes_region = false;
 
   bool operator==(const MaskCorrection&) const = default;
 };

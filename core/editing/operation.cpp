@@ -11,7 +11,7 @@ namespace scantrove {
 namespace {
 
 using Kind = OperationKind;
-constexpr std::array<std::pair<Kind, std::string_view>, 11> kKinds{{{Kind::name, "name"},
+constexpr std::array<std::pair<Kind, std::string_view>, 12> kKinds{{{Kind::name, "name"},
                                                                     {Kind::accept, "accept"},
                                                                     {Kind::join, "join"},
                                                                     {Kind::cut, "cut"},
@@ -21,7 +21,8 @@ constexpr std::array<std::pair<Kind, std::string_view>, 11> kKinds{{{Kind::name,
                                                                     {Kind::object, "object"},
                                                                     {Kind::reject, "reject"},
                                                                     {Kind::paint, "paint"},
-                                                                    {Kind::review, "review"}}};
+                                                                    {Kind::review, "review"},
+                                                                    {Kind::unpaint, "unpaint"}}};
 
 }  // namespace
 

@@ -24,7 +24,8 @@ enum class OperationKind {
   object,      ///< an object, complete or not
   reject,      ///< not an object, and not to be proposed again
   paint,       ///< corrects the mask of the region in one image, and the regions behind it
-  review       ///< sets the review state of a key frame; concerns no region
+  review,      ///< sets the review state of a key frame; concerns no region
+  unpaint      ///< takes away what was painted for the region in one image; the regions behind stay
 };
 
 [[nodiscard]] std::string_view toString(OperationKind kind);
@@ -40,14 +41,14 @@ enum class EditDirection { done, undone, redone };
 /// An operation as data.
 struct Operation {
   OperationKind kind = OperationKind::name;
-  std::vector<RegionId> regions = {};            ///< join: the first keeps its identity; cut, paint: the one
-  std::string name = {}, category = {};          ///< of name and accept; empty removes it
-  bool on = true;                                ///< of background, object and reject; false takes it back
+  std::vector<RegionId> regions = {};    ///< join: the first keeps its identity; cut, (un)paint: the one
+  std::string name = {}, category = {};  ///< of name and accept; empty removes it
+  bool on = true;                        ///< of background, object and reject; false takes it back
   std::vector<Eigen::Vector3f> here_world = {};  ///< of a cut: places on the surface, metres
   /// Of a cut: places on the other side, metres; none: what surrounds `here` in other colours.
   std::vector<Eigen::Vector3f> there_world = {};
   int frame = -1;                                 ///< number of frames scanned before it
-  std::optional<MaskCorrection> correction = {};  ///< of paint
+  std::optional<MaskCorrection> correction = {};  ///< of paint; of unpaint without pixels
   std::optional<FrameReview> review = {};         ///< of review
 
   bool operator==(const Operation&) const = default;

@@ -103,6 +103,7 @@ Result<void> RegionEditor::run(Work& work) {
     case OperationKind::coarser:
       return coarser(work);
     case OperationKind::paint:
+    case OperationKind::unpaint:
       return paint(work);
     case OperationKind::name:
     case OperationKind::accept:
@@ -253,22 +254,28 @@ Result<void> RegionEditor::coarser(Work& work) {
 
 Result<void> RegionEditor::paint(Work& work) {
   const Operation& operation = work.operation;
-  const RegionId region = operation.regions.front();
+  RegionId region = operation.regions.front();
+  const bool is_paint = operation.kind == OperationKind::paint;
+  const MaskCorrection correction = operation.correction.value_or(MaskCorrection{});
   if (operation.regions.size() != 1 || !operation.correction ||
-      (operation.correction->added.isEmpty() && operation.correction->removed.isEmpty()))
+      (is_paint && correction.added.isEmpty() && correction.removed.isEmpty()))
     return fail("Nothing is painted for " + called(region) + ".", "Paint at least one pixel for one region.");
+  if (is_paint && correction.makes_region && work.painted == nullptr)
+    return fail("A new region cannot be in one image alone.", "Paint it in all images.");
   work.before.clear();  // the painter knows them
-  work.outcome.regions = {region};
-  if (work.painted != nullptr) {
-    RegionPainter painter(editable());
+  RegionPainter painter(editable());
+  if (is_paint && work.painted != nullptr) {
+    if (correction.makes_region)
+      SCANTROVE_TRY(moveInto(region, painter.create(*work.painted, work.effect, work.outcome.events)));
     painter.paint(region, *work.painted, work.effect, work.outcome.events);
     work.effect.moves = painter.moves();
-    for (const RegionId changed : painter.changed()) {
-      if (changed != region && exists(changed)) work.outcome.regions.push_back(changed);
-    }
     for (const auto& [into, from] : work.outcome.events.joined) {
       if (notes_.of(into) == RegionNote{}) write(work, into, notes_.of(from));
     }
+  }
+  work.outcome.regions = {region};
+  for (const RegionId changed : painter.changed()) {
+    if (changed != region && exists(changed)) work.outcome.regions.push_back(changed);
   }
   work.effect.anchor = editable().largestOf(table_.fragmentsOf(region));
   return {};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
+#include <utility>
 
 #include "core/editing/surface_paths.h"
 #include "core/editing/surface_split.h"
@@ -122,23 +124,65 @@ void RegionPainter::move(RegionId from, RegionId to, const Fragments& fragments)
   changed_.insert({from, to});
 }
 
+RegionPainter::Shown RegionPainter::shownOf(RegionId region, std::span<const Eigen::Vector3f> places,
+                                            const PaintedSurface& painted) const {
+  Shown shown;
+  shown.graph = SurfaceGraph::of(regions_.map().surfaceOf(regions_.table().fragmentsOf(region), places));
+  shown.seeds = seedsOf(shown.graph, painted, Area::added);
+  shown.extent = extentOf(shown.seeds);
+  const bool is_alone = shown.seeds.staying.empty() && shown.seeds.away.empty();
+  if (shown.extent == Extent::part && is_alone) shown.extent = Extent::none;
+  return shown;
+}
+
+EditableRegions::Division RegionPainter::cutOff(RegionId region, const Shown& shown) {
+  const Seeds& seeds = shown.seeds;
+  const auto side =
+      splitSurface(shown.graph, seeds.staying.empty() ? seeds.away : seeds.staying, seeds.going);
+  return divide(region, shown.graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
+}
+
 void RegionPainter::add(RegionId to, RegionId from, std::span<const Eigen::Vector3f> places,
                         const PaintedSurface& painted) {
-  const SurfaceGraph graph =
-      SurfaceGraph::of(regions_.map().surfaceOf(regions_.table().fragmentsOf(from), places));
-  const Seeds seeds = seedsOf(graph, painted, Area::added);
-  const Extent extent = extentOf(seeds);
-  const std::vector<std::uint32_t>& staying = seeds.staying.empty() ? seeds.away : seeds.staying;
-  if (extent == Extent::none || (extent == Extent::part && staying.empty())) return;
+  const Shown shown = shownOf(from, places, painted);
+  if (shown.extent == Extent::none) return;
   remember(from);
-  if (extent == Extent::all) return join(to, from);
-  const auto side = splitSurface(graph, staying, seeds.going);
-  const auto division = divide(from, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
+  if (shown.extent == Extent::all) return join(to, from);
+  const auto division = cutOff(from, shown);
   const auto own = regions_.table().fragmentsOf(to);
   const FragmentId largest = regions_.largestOf(own);
   move(from, to, division.parts.back());
   regions_.constrain(largest, regions_.largestOf(division.parts.back()), LinkConstraint::must_link, *effect_);
   regions_.keepApart(division.parts.back(), division.parts.front(), *effect_);
+}
+
+Result<RegionId> RegionPainter::create(const PaintedSurface& painted, OperationEffect& effect,
+                                       RegionEvents& events) {
+  effect_ = &effect;
+  events_ = &events;
+  RegionId source, complete;
+  Shown most;
+  for (const auto& [from, places] : painted.added_world) {
+    if (!from || regions_.table().fragmentsOf(from).empty()) continue;
+    Shown shown = shownOf(from, places, painted);
+    if (shown.extent == Extent::all) complete = from;
+    if (shown.extent != Extent::part || shown.seeds.going.size() <= most.seeds.going.size()) continue;
+    source = from;
+    most = std::move(shown);
+  }
+  if (!source) {
+    return complete ? fail("The painted area is all of region " + std::to_string(complete.value) + ".",
+                           "Name that region, or paint a part of it.")
+                    : fail("The map has too little surface behind the painted pixels for a region.",
+                           "Paint a larger area of something that was scanned.");
+  }
+  remember(source);
+  const auto division = cutOff(source, most);
+  const RegionId created = regions_.table().separate(division.parts.back(), events);
+  effect.created.push_back(created);
+  changed_.insert({source, created});
+  regions_.keepApart(division.parts.back(), division.parts.front(), effect);
+  return created;
 }
 
 void RegionPainter::join(RegionId to, RegionId from) {

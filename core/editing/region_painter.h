@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/editing/editable_regions.h"
 #include "core/editing/painted_surface.h"
 
@@ -22,6 +23,12 @@ class RegionPainter {
   /// resolution of the painting changes nothing.
   void paint(RegionId region, const PaintedSurface& painted, OperationEffect& effect, RegionEvents& events);
 
+  /// Makes the surface that paint() would move from one region a region of its own, from the region that the
+  /// added pixels show most of; paint() of the new region then adds the others. Error: the added pixels show
+  /// no part of a region, but all of one or nothing. Then nothing changes.
+  [[nodiscard]] Result<RegionId> create(const PaintedSurface& painted, OperationEffect& effect,
+                                        RegionEvents& events);
+
   /// Regions that lost or gained fragments, ascending.
   [[nodiscard]] const std::set<RegionId>& changed() const { return changed_; }
   /// Moves of fragments from their regions before paint().
@@ -37,6 +44,17 @@ class RegionPainter {
   };
   enum class Extent { none, part, all };
 
+  /// What the image shows of a region within the added pixels.
+  struct Shown {
+    SurfaceGraph graph;
+    Seeds seeds;
+    Extent extent = Extent::none;
+  };
+
+  [[nodiscard]] Shown shownOf(RegionId region, std::span<const Eigen::Vector3f> places,
+                              const PaintedSurface& painted) const;
+  /// Cuts the added part of a region off: the second part of the result.
+  [[nodiscard]] EditableRegions::Division cutOff(RegionId region, const Shown& shown);
   [[nodiscard]] Seeds seedsOf(const SurfaceGraph& graph, const PaintedSurface& painted,
                               PaintedSurface::Area going) const;
   [[nodiscard]] static Extent extentOf(const Seeds& seeds);

@@ -1,7 +1,9 @@
 #include "core/session/mask_corrections.h"
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 #include <span>
+#include <string>
 
 namespace scantrove {
 namespace {
@@ -9,13 +11,19 @@ namespace {
 using LogEntry = OperationLog::Entry;
 
 bool isDonePaint(const LogEntry& entry) {
-  return entry.state == OperationLog::State::done && entry.operation.correction.has_value() &&
-         !entry.operation.regions.empty();
+  return entry.state == OperationLog::State::done && entry.operation.kind == OperationKind::paint &&
+         entry.operation.correction.has_value() && !entry.operation.regions.empty();
+}
+
+/// The region for which an operation painted, as it was then.
+RegionId paintedRegionThen(const LogEntry& entry) {
+  const bool is_new = entry.operation.correction->makes_region && !entry.effect.created.empty();
+  return is_new ? entry.effect.created.front() : entry.operation.regions.front();
 }
 
 /// The region for which an operation painted, as it is now; none: it no longer exists.
 RegionId paintedRegionNow(const LogEntry& entry, const RegionTable& table) {
-  const RegionId region = entry.operation.regions.front();
+  const RegionId region = paintedRegionThen(entry);
   if (!table.fragmentsOf(region).empty()) return region;
   const FragmentId anchor = entry.effect.anchor;
   return anchor && anchor.value < table.regions().size() ? table.regionOf(anchor) : RegionId{};
@@ -29,10 +37,21 @@ bool isSplit(const Operation& operation) {
   return operation.kind == OperationKind::cut || operation.kind == OperationKind::finer;
 }
 
+/// Whether a later operation takes away what an entry painted for a region.
+bool isTakenAway(const LogEntry& entry, std::span<const LogEntry> later, RegionId now,
+                 const RegionTable& table) {
+  return std::ranges::any_of(later, [&](const LogEntry& one) {
+    return one.state == OperationLog::State::done && one.operation.kind == OperationKind::unpaint &&
+           one.operation.correction && !one.operation.regions.empty() &&
+           one.operation.correction->key_frame == entry.operation.correction->key_frame &&
+           paintedRegionNow(one, table) == now;
+  });
+}
+
 /// The painted mask of an entry, with what later operations did to its regions.
 PaintedMask maskOf(const LogEntry& entry, std::span<const LogEntry> later, RegionId now) {
   const MaskCorrection& correction = *entry.operation.correction;
-  std::set<RegionId> regions{entry.operation.regions.front(), now}, parts;
+  std::set<RegionId> regions{paintedRegionThen(entry), now}, parts;
   bool is_joined = false;
   for (const LogEntry& one : later) {
     if (one.state != OperationLog::State::done) continue;
@@ -57,9 +76,21 @@ std::vector<PaintedMask> paintedMasksOf(const OperationLog& log, const RegionTab
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (!isDonePaint(entries[i]) || entries[i].operation.correction->key_frame != key_frame) continue;
     const RegionId now = paintedRegionNow(entries[i], table);
-    if (now) masks.push_back(maskOf(entries[i], entries.subspan(i + 1), now));
+    const std::span later = entries.subspan(i + 1);
+    if (now && !isTakenAway(entries[i], later, now, table)) masks.push_back(maskOf(entries[i], later, now));
   }
   return masks;
+}
+
+Result<void> checkUnpaint(const OperationLog& log, const RegionTable& table, const Operation& unpaint) {
+  if (!unpaint.correction || unpaint.regions.size() != 1)
+    return fail("An image and one region are missing.", "Say in which image, and for which region.");
+  const RegionId region = unpaint.regions.front();
+  const std::vector<PaintedMask> masks = paintedMasksOf(log, table, unpaint.correction->key_frame);
+  if (std::ranges::find(masks, region.value, &PaintedMask::region) != masks.end()) return {};
+  return fail("Nothing is painted for region " + std::to_string(region.value) + " in image " +
+                  std::to_string(unpaint.correction->image) + ".",
+              "'scantrove session history' lists what is painted.");
 }
 
 std::set<int> paintedKeyFrames(const OperationLog& log) {

@@ -2,6 +2,7 @@
 #include <set>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/dataset/labeled_scan.h"
 #include "core/editing/operation_log.h"
 #include "core/labeling/region_table.h"
@@ -14,7 +15,11 @@ namespace scantrove {
 [[nodiscard]] std::vector<PaintedMask> paintedMasksOf(const OperationLog& log, const RegionTable& table,
                                                       int key_frame);
 
-/// Key frames that have any.
+/// Error: nothing is painted for the region in the image of an operation of the kind unpaint.
+[[nodiscard]] Result<void> checkUnpaint(const OperationLog& log, const RegionTable& table,
+                                        const Operation& unpaint);
+
+/// Key frames in which a person painted, even if all of it was taken away since.
 [[nodiscard]] std::set<int> paintedKeyFrames(const OperationLog& log);
 
 }  // namespace scantrove

@@ -10,6 +10,7 @@
 #include "core/compute/guarded.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/catalogue_numbers.h"
+#include "core/session/mask_corrections.h"
 #include "core/session/painted_image.h"
 #include "core/session/painted_view.h"
 #include "core/session/refinement_state.h"
@@ -309,7 +310,11 @@ Result<RegionEditor::Outcome> OpenSession::edit(const Operation& operation) {
                     folder_.string() + ".",
                 "'scantrove session review --list' lists the key frames.");
   }
-  if (operation.kind != OperationKind::paint) return keep(pipeline_->edit(operation), EditDirection::done);
+  if (operation.kind == OperationKind::unpaint) {
+    SCANTROVE_TRY(checkUnpaint(history(), pipeline_->labels().table(), operation));
+  } else if (operation.kind != OperationKind::paint) {
+    return keep(pipeline_->edit(operation), EditDirection::done);
+  }
   const Result<std::optional<PaintedSurface>> painted = paintedSurfaceOf(*this, operation);
   if (!painted) return fail(painted.error());
   return keep(pipeline_->edit(operation, *painted ? &**painted : nullptr), EditDirection::done);

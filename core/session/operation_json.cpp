@@ -45,6 +45,7 @@ Json maskToJson(const MaskCorrection& correction) {
             {"image", correction.image},
             {"size", {correction.added.width, correction.added.height}}};
   if (correction.this_image_only) json["this_image_only"] = true;
+  if (correction.makes_region) json["makes_region"] = true;
   return json;
 }
 
@@ -60,6 +61,7 @@ MaskCorrection maskFrom(const Json& json) {
   for (PaintedPixels* pixels : {&correction.added, &correction.removed})
     *pixels = {countFrom(json.at("size").at(0)), countFrom(json.at("size").at(1)), {}};
   correction.this_image_only = json.value("this_image_only", false);
+  correction.makes_region = json.value("makes_region", false);
   return correction;
 }
 

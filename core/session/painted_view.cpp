@@ -169,6 +169,8 @@ std::string sizeOfImage(const Intrinsics& K) {
 
 PaintedSurface paintedSurface(const RenderedView& view, const cv::Mat& depth_m, RegionId region,
                               const MaskCorrection& correction) {
+  // A new region takes surface of the operation's region, too.
+  if (correction.makes_region) region = {};
   const auto painted = std::make_shared<const PaintedView>(view, depth_m, correction);
   PaintedSurface surface;
   surface.sight = [painted](const Eigen::Vector3f& point) { return painted->at(point); };
@@ -222,7 +224,8 @@ Result<std::optional<PaintedSurface>> paintedSurfaceOf(OpenSession& session, con
                     sizeOfImage(K) + ".",
                 "Paint a mask of the image's size.");
   }
-  if (correction.this_image_only) return std::optional<PaintedSurface>();
+  if (correction.this_image_only || paint.kind == OperationKind::unpaint)
+    return std::optional<PaintedSurface>();
   const Eigen::Isometry3d T = has_color ? info.colorCameraPose() : info.T_world_depth;
   const auto view =
       session.pipeline().readout().renderView(T, scaledDown(K, session.pipeline().workingIntrinsics()));

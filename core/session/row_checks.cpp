@@ -109,7 +109,7 @@ bool isPlausible(const BorderEvidence& e) {
 }
 
 bool isPlausible(const Operation& operation) {
-  const bool is_paint = operation.kind == OperationKind::paint;
+  const bool is_paint = operation.kind == OperationKind::paint || operation.kind == OperationKind::unpaint;
   const bool is_review = operation.kind == OperationKind::review;
   if (is_review != operation.review.has_value() || (is_review && !operation.regions.empty())) return false;
   if (is_paint != operation.correction.has_value() || (is_paint && operation.regions.size() != 1))

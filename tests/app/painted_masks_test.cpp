@@ -209,5 +209,46 @@ TEST_F(PaintedMasksTest, RefuseUnusablePaintings) {
   EXPECT_EQ(jsonOf(session({"history", "--json"})).size(), 0U);
 }
 
+TEST_F(PaintedMasksTest, NewRegionIsItsMask_AndCanBeNamedAndTakenBack) {
+  const Masks at_first = regionsOfAll(exported("first"));
+  const Shown shown = someObject(at_first);
+  ASSERT_NE(shown.region, 0);
+  const std::string frame = text(shown.frame);
+  const cv::Mat before = at_first.at(shown.frame);
+  // The middle of the object, away from its outline.
+  cv::Mat object = before == shown.region, middle;
+  cv::erode(object, middle, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+  const cv::Rect box = cv::boundingRect(middle);
+  cv::Mat mask = cv::Mat::zeros(middle.size(), CV_8UC1);
+  const cv::Rect left(box.x, box.y, box.width / 2, box.height);
+  middle(left).copyTo(mask(left));
+  const Finished run = session(
+      {"paint", written("part.png", mask), "--frame", frame, "--new-region", "--name", "sticker", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const int created = Json::parse(run.out)["regions"][0];
+  EXPECT_NE(created, shown.region);
+  EXPECT_EQ(cv::countNonZero((regionsIn(shown.frame) == created) != mask), 0);
+  EXPECT_THAT(session({"regions"}).out, HasSubstr("sticker"));
+
+  ASSERT_EQ(session({"unpaint", "--frame", frame, "--region", text(created)}).exit_code, 0);
+  EXPECT_GT(cv::countNonZero((regionsIn(shown.frame) == created) & mask), 0) << "the region behind stays";
+  expectJobFailure(session({"unpaint", "--frame", frame, "--region", text(created)}), {"Nothing is painted"});
+  ASSERT_EQ(session({"undo", "--steps", "3"}).exit_code, 0);
+  EXPECT_EQ(cv::countNonZero(regionsIn(shown.frame) != before), 0);
+}
+
+TEST_F(PaintedMasksTest, NewRegionNeedsNoRegion_AndNothingElseDoes) {
+  const std::string frame = "0";
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--new-region", "--region", "3"},
+                                                {"--new-region", "--add"},
+                                                {"--new-region", "--this-image-only"},
+                                                {"--add"},
+                                                {"--add", "--region", "3", "--name", "mug"}}) {
+    std::vector<std::string> words{"paint", "--frame", frame, "--polygon", "1,1,9,1,9,9"};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(session(words).exit_code, 2) << wrong.back();
+  }
+}
+
 }  // namespace
 }  // namespace scantrove::test

@@ -269,9 +269,14 @@ QString RegionOperations::descriptionOf(const Operation& operation) const {
     case OperationKind::reject:
       return operation.on ? tr("%1: not an object").arg(what) : tr("%1: not rejected").arg(what);
     case OperationKind::paint:
-      return tr("Correct mask of %1 in image %2")
-          .arg(what)
-          .arg(operation.correction ? operation.correction->image : 0);
+      if (operation.correction && operation.correction->makes_region)
+        return tr("Paint a new region in image %1").arg(operation.correction->image);
+      // A reopened scan does not tell the image.
+      if (!operation.correction) return tr("Correct mask of %1").arg(what);
+      return tr("Correct mask of %1 in image %2").arg(what).arg(operation.correction->image);
+    case OperationKind::unpaint:
+      if (!operation.correction) return tr("Reset mask of %1").arg(what);
+      return tr("Reset mask of %1 in image %2").arg(what).arg(operation.correction->image);
     case OperationKind::review:
       break;
   }

@@ -1,6 +1,7 @@
 // Paintings on the strip of RegionEditorTest, seen straight from above: 1 pixel = 1 voxel = 1 cm.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/editing/region_editor_fixture.h"
@@ -155,6 +156,70 @@ TEST_F(RegionPaintingTest, ChangesNoRegion_WithoutASurface) {
   EXPECT_EQ(table_.regions(), before);
   EXPECT_EQ(editor_.log().entries().back().effect.anchor, fragments_[1]);
   EXPECT_EQ(editor_.log().entries().back().operation, operation);
+}
+
+class NewRegionPaintingTest : public RegionPaintingTest {
+ protected:
+  /// Paints a new region on `under`.
+  Result<RegionEditor::Outcome> paintNew(RegionId under, const Painting& painting) {
+    Operation operation{.kind = OperationKind::paint, .regions = {under}};
+    operation.correction =
+        MaskCorrection{.added = {80, 10, {0, 1}}, .removed = {80, 10, {}}, .makes_region = true};
+    const PaintedSurface surface = surfaceOf(RegionId{}, painting);
+    return editor_.apply(operation, params_, &surface);
+  }
+};
+
+TEST_F(NewRegionPaintingTest, TakesItsSurfaceFromAllRegionsBehind) {
+  const std::vector<RegionId> before = all();
+  const auto outcome = paintNew(before[1], {.added = {30, 46}});
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  const RegionId created = outcome->regions.front();
+  EXPECT_EQ(std::ranges::count(before, created), 0);
+  for (int x = 32; x < 44; ++x) EXPECT_EQ(regionAt(x), created) << x;
+  for (int x = 20; x < 28; ++x) EXPECT_EQ(regionAt(x), before[1]) << x;
+  for (int x = 48; x < 60; ++x) EXPECT_EQ(regionAt(x), before[2]) << x;
+  EXPECT_THAT(outcome->regions, Contains(before[1]));
+  EXPECT_THAT(outcome->regions, Contains(before[2]));
+  EXPECT_EQ(editor_.log().entries().back().effect.created, std::vector{created});
+  EXPECT_EQ(table_.regionOf(editor_.log().entries().back().effect.anchor), created);
+}
+
+TEST_F(NewRegionPaintingTest, IsOneStep_ThatIsUndoneAndRedone) {
+  const std::vector<RegionId> before = all();
+  const auto outcome = paintNew(before[1], {.added = {30, 46}});
+  ASSERT_TRUE(outcome);
+  ASSERT_TRUE(editor_.undo());
+  for (int x = 0; x < 80; ++x) EXPECT_EQ(regionAt(x), before[static_cast<std::size_t>(x / 20)]) << x;
+  ASSERT_TRUE(editor_.redo());
+  EXPECT_EQ(regionAt(38), outcome->regions.front());
+  EXPECT_EQ(regionAt(43), outcome->regions.front());
+}
+
+TEST_F(NewRegionPaintingTest, IsRefused_WhenItWouldBeAllOfARegion) {
+  const std::vector<RegionId> before = all();
+  const auto refused = paintNew(before[1], {.added = {20, 40}});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("all of region " + std::to_string(before[1].value)));
+  EXPECT_EQ(all(), before);
+  EXPECT_TRUE(editor_.log().entries().empty());
+}
+
+TEST_F(NewRegionPaintingTest, IsRefused_WithoutASurface) {
+  EXPECT_FALSE(paintNew(regionAt(30), {}));
+  Operation alone{.kind = OperationKind::paint, .regions = {regionAt(30)}};
+  alone.correction = MaskCorrection{.added = {80, 10, {0, 1}}, .removed = {80, 10, {}}, .makes_region = true};
+  EXPECT_FALSE(apply(alone));
+  EXPECT_TRUE(editor_.log().entries().empty());
+}
+
+TEST_F(RegionPaintingTest, TakingAPaintingAwayLeavesTheRegions) {
+  const auto before = table_.regions();
+  Operation unpaint{.kind = OperationKind::unpaint, .regions = {regionAt(30)}};
+  unpaint.correction = MaskCorrection{.added = {80, 10, {}}, .removed = {80, 10, {}}};
+  ASSERT_TRUE(apply(unpaint));
+  EXPECT_EQ(table_.regions(), before);
+  EXPECT_EQ(editor_.log().entries().back().effect.anchor, fragments_[1]);
 }
 
 TEST_F(RegionPaintingTest, RefusesAPainting_WithoutPixels) {

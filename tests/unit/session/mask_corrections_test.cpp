@@ -94,6 +94,37 @@ TEST_F(MaskCorrectionsTest, AreGone_WhenNothingIsLeftOfTheirRegion) {
   EXPECT_TRUE(masks().empty());
 }
 
+TEST_F(MaskCorrectionsTest, AreTakenAway_ForOneRegionAndImage) {
+  addPaint(0);
+  addPaint(1);
+  Operation unpaint{.kind = OperationKind::unpaint, .regions = {regionOf(0)}};
+  unpaint.correction = MaskCorrection{.key_frame = kKeyFrame + 1, .image = 13};
+  EXPECT_FALSE(checkUnpaint(log_, table_, unpaint)) << "another image";
+  unpaint.correction->key_frame = kKeyFrame;
+  EXPECT_TRUE(checkUnpaint(log_, table_, unpaint));
+  log_.add(unpaint, {.anchor = fragments_[0]});
+  ASSERT_EQ(masks().size(), 1U);
+  EXPECT_EQ(masks()[0].region, regionOf(1).value);
+  EXPECT_FALSE(checkUnpaint(log_, table_, unpaint)) << "nothing is left";
+  addPaint(0);
+  EXPECT_EQ(masks().size(), 2U) << "what is painted afterwards holds";
+  ASSERT_NE(log_.undo(), nullptr);
+  ASSERT_NE(log_.undo(), nullptr);
+  EXPECT_EQ(masks().size(), 2U) << "undone";
+}
+
+TEST_F(MaskCorrectionsTest, BelongToTheNewRegionThatTheyMade) {
+  const FragmentId part = table_.newFragmentBeside(fragments_[1]);
+  RegionEvents events;
+  const RegionId created = table_.separate(std::vector{part}, events);
+  Operation paint = paintOf(regionOf(1));
+  paint.correction->makes_region = true;
+  log_.add(paint, {.moves = {{part, regionOf(1), created}}, .anchor = part, .created = {created}});
+  ASSERT_EQ(masks().size(), 1U);
+  EXPECT_EQ(masks()[0].region, created.value);
+  EXPECT_TRUE(masks()[0].parts.empty());
+}
+
 class MaskRowsTest : public testing::Test {
  protected:
   MaskRowsTest() {

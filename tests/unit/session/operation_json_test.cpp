@@ -16,8 +16,12 @@ TEST(OperationJson, IsRefused_WhenInvalid) {
 
 TEST(OperationJson, HoldsThePaintedImage_WithoutItsPixels) {
   Operation paint{.kind = OperationKind::paint, .regions = {RegionId{3}}};
-  paint.correction = MaskCorrection{
-      .key_frame = 4, .image = 12, .added = {8, 6, {1, 2}}, .removed = {8, 6, {}}, .this_image_only = true};
+  paint.correction = MaskCorrection{.key_frame = 4,
+                                    .image = 12,
+                                    .added = {8, 6, {1, 2}},
+                                    .removed = {8, 6, {}},
+                                    .this_image_only = true,
+                                    .makes_region = true};
   const std::string text = operationToJson(paint);
   const auto read = operationFromJson(text);
   ASSERT_TRUE(read);
