@@ -169,8 +169,7 @@ Result<void> paintNewRegion(OpenSession& session, const SessionArguments& argume
   const RegionId under = regionUnder(painted->mask, image->image.regions);
   if (!under) return fail("The painted pixels show no region.", "Paint something that was scanned.");
   Operation operation{.kind = OperationKind::paint, .regions = {under}};
-  operation.correction =
-      correctionIn(scan, arguments, painted->mask, cv::Mat::zeros(painted->mask.size(), CV_8UC1));
+  operation.correction = correctionIn(scan, arguments, painted->mask, painted->mask == 0);
   operation.correction->makes_region = true;
   const auto outcome = session.edit(operation);
   if (outcome && !naming.name.empty()) {
