@@ -41,6 +41,11 @@ struct EditRegions {
 struct ShowKeyFrame {
   int index = 0;  ///< index in ScanSnapshot::key_frames
 };
+/// The image of a key frame of the open session with its regions, at full resolution. KeyFrameLabeled or
+/// MapFailed.
+struct LabelKeyFrame {
+  int index = 0;  ///< as in ShowKeyFrame
+};
 /// The expected content of a data set. ExportPreviewed, or ExportFailed as for all exports when no session
 /// is open.
 struct PreviewExport {
@@ -76,9 +81,7 @@ struct SetParams {
 
 using ScanCommand =
     std::variant<StartScan, PauseScan, ResumeScan, StepScan, StopScan, CloseScan, SkipRefinement, EditRegions,
-                 ShowKeyFrame, PreviewExport, SampleExport, ExportDataset, ExportProject, RenderPicture,
-                 CancelExport, ApplyCatalogueChanges, SetParams>;
-                 ShowKeyFrame, PreviewExport, SampleExport, ExportDataset, ExportProject, CancelExport,
-                 ApplyCatalogueChanges, SetParams>;
+                 ShowKeyFrame, LabelKeyFrame, PreviewExport, SampleExport, ExportDataset, ExportProject,
+                 RenderPicture, CancelExport, ApplyCatalogueChanges, SetParams>;
 
 }  // namespace scantrove

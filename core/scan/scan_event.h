@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/dataset/dataset_export.h"
 #include "core/dataset/export_sample.h"
+#include "core/scan/key_frame_labels.h"
 #include "core/scan/scan_command.h"
 #include "core/scan/scan_report.h"
 #include "core/scan/scan_state.h"
@@ -87,6 +88,9 @@ struct EditFailed {
 struct ReviewOpened {
   bool can_refine = false;  ///< its refinement was skipped, or the scan was interrupted before it
 };
+struct KeyFrameLabeled {
+  KeyFrameLabels labels;
+};  ///< as LabelKeyFrame asked
 struct ExportPreviewed {
   ExportPreview preview;
 };
@@ -125,9 +129,9 @@ struct ScanFinished {
 using ScanEvent =
     std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognized, ViewAdded,
                  ObjectsMerged, ObjectRemoved, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted,
-                 ScanAdvice, CameraLost, CameraReturned, Edited, EditFailed, ReviewOpened, ExportPreviewed,
-                 ExportSampled, ExportStepped, ExportFinished, ExportFailed, RenderStepped, RenderFinished,
-                 RenderFailed, FrameSkipped, ScanFailed, ScanFinished>;
+                 ScanAdvice, CameraLost, CameraReturned, Edited, EditFailed, ReviewOpened, KeyFrameLabeled,
+                 ExportPreviewed, ExportSampled, ExportStepped, ExportFinished, ExportFailed, RenderStepped,
+                 RenderFinished, RenderFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Called on the worker's thread, in order; must return quickly (a window queues the event).
 using ScanListener = std::function<void(const ScanEvent&)>;

@@ -184,6 +184,16 @@ void ScanReview::report(const Result<Value>& outcome) {
   }
 }
 
+void ScanReview::execute(LabelKeyFrame command) {
+  if (command.index < 0 || command.index >= static_cast<int>(key_frames_.size())) return;
+  const SavedKeyFrame& key = *key_frames_[static_cast<std::size_t>(command.index)];
+  Result<KeyFrameLabels> labels =
+      guarded("labelling a key frame", [&] { return labelKeyFrame(*session_, key); });
+  if (!labels) return listener_(MapFailed{labels.error()});
+  labels->index = command.index;
+  listener_(KeyFrameLabeled{std::move(*labels)});
+}
+
 void ScanReview::execute(const PreviewExport& command) {
   SessionScan scan(*session_);
   report<ExportPreviewed>(

@@ -37,6 +37,7 @@ class ScanReview {
   /// Applies a user's edit, stores it in the session, and reports the outcome. Error: the device failed.
   [[nodiscard]] Result<void> edit(const ScanEdit& edit);
 
+  void execute(LabelKeyFrame command);
   void execute(const PreviewExport& command);
   void execute(const SampleExport& command);
   void execute(const ExportDataset& command, const std::stop_token& cancel);

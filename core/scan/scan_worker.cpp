@@ -20,8 +20,9 @@ template <class Command, class... Others>
 constexpr bool kIsOneOf = (std::is_same_v<Command, Others> || ...);
 
 template <class Command>
-constexpr bool kNewestReplaces = kIsOneOf<Command, ShowKeyFrame, SetParams, ApplyCatalogueChanges,
-                                          PreviewExport, SampleExport, ExportDataset, ExportProject>;
+constexpr bool kNewestReplaces =
+    kIsOneOf<Command, ShowKeyFrame, LabelKeyFrame, SetParams, ApplyCatalogueChanges, PreviewExport,
+             SampleExport, ExportDataset, ExportProject>;
 
 template <class Command>
 constexpr bool kEndsScan = kIsOneOf<Command, StartScan, CloseScan>;
@@ -140,6 +141,9 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                  },
                  [&](ShowKeyFrame c) {
                    with_review([&](ScanReview& review) { return review.showKeyFrame(c.index); });
+                 },
+                 [&](LabelKeyFrame c) {
+                   if (target.review != nullptr) target.review->execute(c);
                  },
                  [&](const PreviewExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
                  [&](const SampleExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },

@@ -30,8 +30,8 @@ class ScanWorker {
   ScanWorker(const ScanWorker&) = delete;
   ScanWorker& operator=(const ScanWorker&) = delete;
 
-  /// Of several waiting ShowKeyFrame, SetParams, ApplyCatalogueChanges, or exports of one kind, only the
-  /// newest is executed.
+  /// Of several waiting ShowKeyFrame, LabelKeyFrame, SetParams, ApplyCatalogueChanges, or exports of one
+  /// kind, only the newest is executed.
   void post(ScanCommand command);
   void wait();  ///< until the last started scan has ended; its review may be open
   [[nodiscard]] ScanState state() const { return state_; }

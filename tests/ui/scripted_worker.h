@@ -42,7 +42,7 @@ class ScriptedWorker {
   ScanParams last_params;
   int catalogue_changes = 0;
   std::vector<ScanEdit> edits;
-  std::vector<int> key_frames_shown;
+  std::vector<int> key_frames_shown, key_frames_labeled;
   std::vector<ExportOptions> previews, exports;
   std::vector<RenderOptions> renders;
   std::vector<ExportProject> project_exports;
@@ -62,6 +62,7 @@ class ScriptedWorker {
                           [this](SkipRefinement) { commands.emplace_back("skip refinement"); },
                           [this](EditRegions& c) { edits.push_back(std::move(c.edit)); },
                           [this](ShowKeyFrame c) { key_frames_shown.push_back(c.index); },
+                          [this](LabelKeyFrame c) { key_frames_labeled.push_back(c.index); },
                           [this](PreviewExport& c) { previews.push_back(std::move(c.options)); },
                           [this](SampleExport& c) { samples.emplace_back(std::move(c.options), c.index); },
                           [this](ExportDataset& c) { exports.push_back(std::move(c.options)); },
