@@ -67,6 +67,9 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
     themes->addAction(action);
   }
   next_picture = make("", tr("&Enlarge next image"), tr("V"), tr("Show the next image of the frame large"));
+  image_mode = make("image-mode", tr("&Image mode"), tr("Ctrl+I"),
+                    tr("Show an image in the main area, to look closer and to paint masks"));
+  image_mode->setCheckable(true);
   frame_back = make("", tr("&Previous key frame"), tr("PgUp"), tr("Go to the previous key frame"));
   frame_on = make("", tr("Ne&xt key frame"), tr("PgDown"), tr("Go to the next key frame"));
   present = make("", tr("Prese&ntation mode"), tr("F11"), tr("Show the scene full screen; Escape ends"));

@@ -50,6 +50,7 @@ class MainActions : public QObject {
   QAction* theme_light;
   QAction* theme_dark;
   QAction* next_picture;
+  QAction* image_mode;
   QAction* frame_back;
   QAction* frame_on;
   QAction* present;

@@ -106,7 +106,7 @@ void MainMenus::makeMenus() {
   view->addSeparator();
   parts_.scene->viewActions()->addTo(view);
   view->addSeparator();
-  view->addAction(actions.next_picture);
+  view->addActions({actions.image_mode, actions.next_picture});
   view->addSeparator();
   for (const QDockWidget* dock : window_.docks().docks()) view->addAction(dock->toggleViewAction());
   view->addActions({actions.reset_layout, actions.present});
@@ -144,6 +144,8 @@ void MainMenus::makeToolBar() {
   bar->addWidget(parts_.progress);
   bar->addSeparator();
   bar->addActions({actions.undo, actions.redo});
+  bar->addSeparator();
+  bar->addAction(actions.image_mode);
   bar->addSeparator();
   bar->addAction(actions.help_keys);
 }

@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -30,6 +31,8 @@
 #include "ui/main_window/selection_link.h"
 #include "ui/main_window/window_dialogs.h"
 #include "ui/main_window/window_placement.h"
+#include "ui/painting/image_mode.h"
+#include "ui/painting/image_page.h"
 #include "ui/panels/color_panel.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/history_panel.h"
@@ -82,6 +85,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   new ScanDisplay(*this);
   new NextStepGuide(*this);
   connectRegions();
+  connectImageMode();
 
   resize(1480, 920);
   if (options.width > 0 && options.height > 0) {
@@ -112,7 +116,12 @@ void MainWindow::makeCenter() {
   parts_.start = new StartPage;
   parts_.scene = new ScenePane;
   center_->addWidget(parts_.start);
-  center_->addWidget(parts_.scene);
+  auto* work = new QSplitter;
+  work->setChildrenCollapsible(false);
+  parts_.image = new ImagePage;
+  work->addWidget(parts_.image);
+  work->addWidget(parts_.scene);
+  center_->addWidget(work);
   layout->addWidget(parts_.messages);
   layout->addWidget(center_, 1);
   parts_.time_line = new TimeLine;
@@ -185,7 +194,7 @@ void MainWindow::showProject() {
 
 void MainWindow::showScene() {
   if (!onStartPage()) return;
-  center_->setCurrentWidget(parts_.scene);
+  center_->setCurrentIndex(1);  // 3D view and image
   docks_->setScanShown(true);
 }
 
@@ -247,6 +256,14 @@ void MainWindow::connectRegions() {
   regions_->naming().setCatalogue([this] { return editor_.catalogue(); });
   connect(parts_.time_line, &TimeLine::requested, &bridge,
           [&bridge](int index) { bridge.post(ShowKeyFrame{index}); });
+}
+
+void MainWindow::connectImageMode() {
+  image_mode_ = new ImageMode({controller_->bridge(), *parts_.image, *parts_.frames, *parts_.scene,
+                               regions_->selection(), *parts_.actions->image_mode},
+                              this);
+  regions_->connectImage(*image_mode_);
+  connect(image_mode_, &ImageMode::cameraShown, parts_.scene->view(), &SceneView::lookFromCamera);
 }
 
 void MainWindow::connectCatalogue() {

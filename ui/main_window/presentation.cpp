@@ -1,5 +1,6 @@
 #include "ui/main_window/presentation.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QEvent>
 #include <QKeyEvent>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "ui/main_window/dock_arrangement.h"
+#include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/project_choice.h"
 #include "ui/main_window/scan_controller.h"
@@ -63,6 +65,7 @@ Presentation::Presentation(MainWindow& window)
 void Presentation::begin() {
   if (std::exchange(is_on_, true)) return;
   was_maximized_ = window_.isMaximized();
+  window_.parts().actions->image_mode->setChecked(false);  // it shows the scene
   hideOthers();
   window_.showFullScreen();
   ScanController& controller = window_.controller();

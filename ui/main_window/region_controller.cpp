@@ -9,6 +9,9 @@
 
 #include "ui/main_window/scene_pane.h"
 #include "ui/main_window/view_actions.h"
+#include "ui/painting/image_canvas.h"
+#include "ui/painting/image_mode.h"
+#include "ui/painting/image_page.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/region_picture.h"
 #include "ui/panels/scene_overlay.h"
@@ -69,6 +72,24 @@ void RegionController::connectFrames() {
   connect(
       &frames_, &FramePanels::bandDrawn, this,
       [this](const std::vector<RegionId>& regions, Qt::KeyboardModifiers) { selection_.select(regions); });
+}
+
+void RegionController::connectImage(ImageMode& image) {
+  for (QAction* action : actions_.all()) image.page().canvas().addAction(action);
+  connect(&image, &ImageMode::pointedAt, this, [this, &image](const RegionPoint& at) {
+    point(at);
+    image.setTag(tagOf(at.region));
+  });
+  connect(&image, &ImageMode::pointerLeft, this, [this] { selection_.hover({}); });
+  connect(&image, &ImageMode::clicked, this, &RegionController::click);
+  connect(&image, &ImageMode::doubleClicked, this, [this](const RegionPoint& at, const QPoint& on_screen) {
+    if (!at.region || splitter_->expectsStroke()) return;
+    selection_.select(at.region);
+    editName(on_screen);
+  });
+  connect(&image, &ImageMode::menuRequested, this, &RegionController::openMenu);
+  connect(&image, &ImageMode::operationReady, &operations_, &RegionOperations::perform);
+  connect(&image, &ImageMode::failed, this, &RegionController::failed);
 }
 
 void RegionController::connectScene() {

@@ -15,6 +15,7 @@
 namespace scantrove {
 
 class FramePanels;
+class ImageMode;
 class ScenePane;
 
 /// Connects the views with the selection of regions, and the actions with RegionOperations.
@@ -31,6 +32,9 @@ class RegionController : public QObject {
   [[nodiscard]] RegionOperations& operations() { return operations_; }
   [[nodiscard]] RegionNaming& naming() { return *naming_; }
   [[nodiscard]] RegionNameEditor& nameEditor() { return naming_->editor(); }
+
+  /// Makes the image mode one more view of the regions; what is painted there becomes undo steps.
+  void connectImage(ImageMode& image);
 
   void beginScan();
   void showSnapshot(const ScanSnapshot& snapshot);

@@ -218,6 +218,11 @@ void RegionOperations::edited(const Edited& event) {
     case OperationKind::coarser:
       if (!event.regions.empty()) selection_.select(event.regions);
       break;
+    case OperationKind::paint: {
+      const bool is_new = operation->correction && operation->correction->makes_region;
+      if (is_new && !event.regions.empty()) selection_.select(event.regions.front());
+      break;
+    }
     default:
       break;
   }

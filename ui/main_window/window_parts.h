@@ -3,6 +3,7 @@
 namespace scantrove {
 
 class FramePanels;
+class ImagePage;
 class MainActions;
 class MessageBar;
 class NextStepStrip;
@@ -24,6 +25,7 @@ struct WindowParts {
   ProjectPage* project_page = nullptr;
   ScenePane* scene = nullptr;
   SceneNames* names = nullptr;
+  ImagePage* image = nullptr;
   TimeLine* time_line = nullptr;
   ReviewController* review = nullptr;
   NextStepStrip* next_steps = nullptr;

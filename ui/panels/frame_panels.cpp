@@ -35,6 +35,9 @@ FramePanels::FramePanels(QWidget* parent)
       panels_{color_, depth_raw_, depth_fused_, segments_, regions_} {
   for (ImagePanel* panel : panels_) {
     connect(panel, &ImagePanel::activated, this, [this, panel] { feature(panel); });
+    connect(panel, &ImagePanel::opened, this, [this, panel] {
+      emit opened(static_cast<int>(std::find(panels_.begin(), panels_.end(), panel) - panels_.begin()));
+    });
     connectPointing(panel);
   }
 }

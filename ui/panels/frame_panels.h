@@ -51,6 +51,7 @@ class FramePanels : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {420, 660}; }
 
  signals:
+  void opened(int index);  ///< one of panels(), to be shown in the main area
   void pointedAt(const scantrove::RegionPoint& point);
   void pointerMoved();  ///< by the user; pointedAt() is also emitted with each frame
   void pointerLeft();

@@ -41,8 +41,8 @@ ImagePanel::ImagePanel(const QString& title, const QString& explanation, QWidget
 void ImagePanel::setLarge(bool large) {
   setToolTip(QStringLiteral("<b>%1</b><br>%2<br><i>%3</i>")
                  .arg(title_, accessibleDescription(),
-                      large ? tr("Click the title to enlarge the colour image again")
-                            : tr("Click the title to enlarge")));
+                      large ? tr("Click the title to enlarge the colour image again, twice for image mode")
+                            : tr("Click the title to enlarge, twice for image mode")));
 }
 
 void ImagePanel::setHighlight(const QImage& highlight) {
@@ -254,12 +254,13 @@ void ImagePanel::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ImagePanel::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || titleRect().contains(event->position())) {
-    mousePressEvent(event);
-    return;
-  }
+  if (event->button() != Qt::LeftButton) return mousePressEvent(event);
   is_double_click_ = true;
   pressed_ = event->position();
+  if (titleRect().contains(event->position())) {
+    emit opened();
+    return;
+  }
   if (const auto fraction = fractionAt(event->position())) emit doubleClicked(*fraction);
 }
 

@@ -54,6 +54,7 @@ class ImagePanel : public QWidget {
 
  signals:
   void activated();  ///< the title was clicked, to enlarge the picture
+  void opened();     ///< the title was clicked twice, to show the picture in the main area
   void pointedAt(const QPointF& fraction);
   void pointerLeft();
   void clicked(const QPointF& fraction, Qt::KeyboardModifiers modifiers);

@@ -111,6 +111,14 @@ void SceneView::lookFrom(StandardView from) {
   drawing_.schedule();
 }
 
+void SceneView::lookFromCamera(const Eigen::Isometry3d& T_world_camera) {
+  constexpr float kTarget_m = 1.5F;  // that the view then turns around
+  const Eigen::Isometry3f T = T_world_camera.cast<float>();
+  setFollowing(false);
+  scene_.viewpoint().lookAt(T.translation(), T * Eigen::Vector3f(0, 0, kTarget_m));
+  drawing_.schedule();
+}
+
 void SceneView::fit(const Eigen::AlignedBox3f& box) {
   if (box.isEmpty()) return;
   scene_.fit(box, static_cast<float>(width()) / static_cast<float>(std::max(1, height())));

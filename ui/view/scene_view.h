@@ -47,6 +47,8 @@ class SceneView : public QWidget {
   /// Sets the selected regions. Unless they are large, they are drawn in fine detail.
   void setSelected(const std::set<RegionId>& regions);
   void lookFrom(StandardView from);
+  /// Looks from a camera in its direction.
+  void lookFromCamera(const Eigen::Isometry3d& T_world_camera);
   /// Shows all of `box` from the current direction; does nothing if it is empty.
   void fit(const Eigen::AlignedBox3f& box);
   [[nodiscard]] QSize sizeHint() const override { return {900, 640}; }
