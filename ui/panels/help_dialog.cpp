@@ -82,6 +82,16 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Ctrl+Page down, Ctrl+Page up"), tr("Next, previous open key frame"));
   line(tr("Ctrl+E"), tr("Export data set"));
   line(tr("Ctrl+Shift+P"), tr("Save picture of the scan"));
+  heading(tr("Image mode"));
+  line(tr("Ctrl+I, double click the title of an image"), tr("Image mode on and off; show that image"));
+  line(tr("Wheel, Ctrl++, Ctrl+−, Ctrl+0"), tr("Zoom; fit"));
+  line(tr("Middle drag, Space+drag"), tr("Move the image"));
+  line(tr("V, D"), tr("Next image; 3D view beside it"));
+  line(tr("M, Shift+M"), tr("Masks filled, outlined, off; names"));
+  line(tr("S, P, E, L, W, H"), tr("Select, brush, eraser, polygon, magic edge, fill hole (in a key frame)"));
+  line(tr("[ and ], Ctrl+wheel"), tr("Size of the brush"));
+  line(tr("Return, Backspace, Escape"), tr("Polygon: close, one corner back; drop what is drawn"));
+  line(tr("Ins"), tr("Paint a new region"));
   heading(tr("3D view"));
   line(tr("Drag, arrow keys"), tr("Turn"));
   line(tr("Shift+drag, Shift+arrow keys"), tr("Move"));
@@ -97,7 +107,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Ctrl+Alt+1 … Ctrl+Alt+6"), tr("View from front, back, left, right, top, bottom"));
   heading(tr("Window"));
   line(tr("Ctrl+1 … Ctrl+4"), tr("Show or hide objects, current frame, settings, history"));
-  line(tr("Click the title of an image, V"), tr("Enlarge it"));
+  line(tr("Click the title of an image, V"), tr("Enlarge it (twice: image mode)"));
   line(tr("F11"), tr("Presentation mode"));
   line(tr("?, F1"), tr("Show these keys"));
   line(tr("Ctrl+Q"), tr("Quit"));
