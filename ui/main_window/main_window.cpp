@@ -85,7 +85,6 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   new ScanDisplay(*this);
   new NextStepGuide(*this);
   connectRegions();
-  connectImageMode();
 
   resize(1480, 920);
   if (options.width > 0 && options.height > 0) {
@@ -244,6 +243,11 @@ void MainWindow::connectRegions() {
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::info, message); });
   connect(controller_, &ScanController::failed, this,
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
+  parts_.image_mode = new ImageMode({bridge, *parts_.image, *parts_.frames, *parts_.scene,
+                                     regions_->selection(), *parts_.actions->image_mode},
+                                    this);
+  regions_->connectImage(*parts_.image_mode);
+  connect(parts_.image_mode, &ImageMode::cameraShown, parts_.scene->view(), &SceneView::lookFromCamera);
   const RegionActions& on_regions = regions_->actions();
   auto* proposals = new ProposalBar(regions_->operations().proposals(), on_regions.accept,
                                     on_regions.accept_all, on_regions.not_this);
@@ -256,14 +260,6 @@ void MainWindow::connectRegions() {
   regions_->naming().setCatalogue([this] { return editor_.catalogue(); });
   connect(parts_.time_line, &TimeLine::requested, &bridge,
           [&bridge](int index) { bridge.post(ShowKeyFrame{index}); });
-}
-
-void MainWindow::connectImageMode() {
-  image_mode_ = new ImageMode({controller_->bridge(), *parts_.image, *parts_.frames, *parts_.scene,
-                               regions_->selection(), *parts_.actions->image_mode},
-                              this);
-  regions_->connectImage(*image_mode_);
-  connect(image_mode_, &ImageMode::cameraShown, parts_.scene->view(), &SceneView::lookFromCamera);
 }
 
 void MainWindow::connectCatalogue() {

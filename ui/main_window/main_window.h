@@ -16,7 +16,6 @@ namespace scantrove {
 
 class CoverageGuide;
 class DockArrangement;
-class ImageMode;
 class Presentation;
 class ProjectChoice;
 class RegionController;
@@ -62,7 +61,6 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CoverageGuide& guide() { return *guide_; }
   [[nodiscard]] WindowDialogs& dialogs() { return *dialogs_; }
   [[nodiscard]] DockArrangement& docks() { return *docks_; }
-  [[nodiscard]] ImageMode& imageMode() { return *image_mode_; }
   [[nodiscard]] Presentation* presentation() const { return presentation_; }
 
  protected:
@@ -75,7 +73,6 @@ class MainWindow : public QMainWindow {
   void makeDocks(const ScanParams& params);
   void connectCatalogue();
   void connectRegions();
-  void connectImageMode();
   void showProject();
   [[nodiscard]] bool leavesScan();
   void readCatalogueChanges();
@@ -90,7 +87,6 @@ class MainWindow : public QMainWindow {
   QStackedWidget* center_ = nullptr;
   RegionController* regions_ = nullptr;
   CoverageGuide* guide_ = nullptr;
-  ImageMode* image_mode_ = nullptr;
   Presentation* presentation_ = nullptr;
   DockArrangement* docks_ = nullptr;
   QTimer catalogue_timer_;

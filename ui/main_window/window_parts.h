@@ -3,6 +3,7 @@
 namespace scantrove {
 
 class FramePanels;
+class ImageMode;
 class ImagePage;
 class MainActions;
 class MessageBar;
@@ -26,6 +27,7 @@ struct WindowParts {
   ScenePane* scene = nullptr;
   SceneNames* names = nullptr;
   ImagePage* image = nullptr;
+  ImageMode* image_mode = nullptr;
   TimeLine* time_line = nullptr;
   ReviewController* review = nullptr;
   NextStepStrip* next_steps = nullptr;

@@ -1,5 +1,6 @@
 #include "ui/panels/frame_panels.h"
 
+#include <QApplication>
 #include <algorithm>
 #include <utility>
 
@@ -34,12 +35,27 @@ FramePanels::FramePanels(QWidget* parent)
                               this)),
       panels_{color_, depth_raw_, depth_fused_, segments_, regions_} {
   for (ImagePanel* panel : panels_) {
-    connect(panel, &ImagePanel::activated, this, [this, panel] { feature(panel); });
+    connect(panel, &ImagePanel::activated, this, [this, panel] {
+      activated_panel_ = panel;
+      since_activated_.start();
+      feature(panel);
+    });
     connect(panel, &ImagePanel::opened, this, [this, panel] {
+      if (openActivated()) return;
       emit opened(static_cast<int>(std::find(panels_.begin(), panels_.end(), panel) - panels_.begin()));
     });
     connectPointing(panel);
   }
+}
+
+bool FramePanels::openActivated() {
+  const bool is_recent =
+      since_activated_.isValid() && !since_activated_.hasExpired(QApplication::doubleClickInterval());
+  since_activated_.invalidate();
+  if (!is_recent) return false;
+  const auto found = std::find(panels_.begin(), panels_.end(), activated_panel_);
+  emit opened(static_cast<int>(found - panels_.begin()));
+  return true;
 }
 
 FramePointing::Picture FramePanels::pictureOf(const ImagePanel* panel) const {
@@ -65,6 +81,7 @@ void FramePanels::connectPointing(ImagePanel* panel) {
             emit clicked(at(fraction), modifiers);
           });
   connect(panel, &ImagePanel::doubleClicked, this, [this, panel, at](const QPointF& fraction) {
+    if (openActivated()) return;
     emit doubleClicked(at(fraction), panel->mapToGlobal(panel->positionOf(fraction).toPoint()));
   });
   connect(panel, &ImagePanel::menuRequested, this,

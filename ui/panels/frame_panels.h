@@ -1,4 +1,5 @@
 #pragma once
+#include <QElapsedTimer>
 #include <QPoint>
 #include <QStringList>
 #include <QWidget>
@@ -70,6 +71,8 @@ class FramePanels : public QWidget {
 
  private:
   void arrange();
+  /// A double click whose first click on a title moved the pictures: opens that title's picture.
+  [[nodiscard]] bool openActivated();
   void showRegions();
   void showNames();
   void showHighlight();
@@ -92,6 +95,8 @@ class FramePanels : public QWidget {
   RegionId hovered_region_;
   std::vector<RegionId> selected_regions_;
   std::vector<PointMarks> marks_;
+  ImagePanel* activated_panel_ = nullptr;  ///< by the last click on a title
+  QElapsedTimer since_activated_;
   ImagePanel* pointed_panel_ = nullptr;  ///< under the pointer
   QPointF pointed_fraction_;
   DepthRange range_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <string>
 
 #include "tests/ui/window/pointing_fixture.h"
 #include "ui/main_window/main_actions.h"
@@ -58,13 +59,13 @@ class ImageModeTest : public PointingTest {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return painting().hasLabels() && painting().labels().regions.at<int>(0, 0) == first; },
         kPatience_ms));
-    QTest::qWait(100);
+    QTest::qWait(200);
   }
   QAction* action() { return window_->parts().actions->image_mode; }
   ImageCanvas& canvas() { return window_->parts().image->canvas(); }
   PaintToolBar& tools() { return window_->parts().image->tools(); }
   ImageViewBar& bar() { return window_->parts().image->view(); }
-  PaintController& painting() { return window_->imageMode().painting(); }
+  PaintController& painting() { return window_->parts().image_mode->painting(); }
 
   /// Zooms to 4 pixels of the canvas for one of the image, with that pixel in the middle.
   void zoomTo(const QPointF& pixel) {
@@ -160,7 +161,7 @@ TEST_F(ImageModeTest, SpaceAndMiddleButtonMoveTheImage) {
   moveTo(from - by);
   QTest::mouseRelease(&canvas(), Qt::MiddleButton, {}, from - by);
   EXPECT_EQ(canvas().positionOf({320, 240}), before);
-  EXPECT_EQ(std::ranges::count(worker_->commands, "pause"), 0);
+  EXPECT_EQ(std::ranges::count(worker_->commands, std::string("pause")), 0);
 }
 
 TEST_F(ImageModeTest, AStrokePaintsExactlyItsPixels_AndUndoRestoresThem) {
