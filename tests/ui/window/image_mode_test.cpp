@@ -1,6 +1,8 @@
 // The image mode, with real mouse events on its canvas.
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QWheelEvent>
 #include <algorithm>
@@ -96,12 +98,13 @@ class ImageModeTest : public PointingTest {
   /// The pixels whose centres lie within `radius` of a line segment.
   static cv::Mat within(const cv::Point2f& a, const cv::Point2f& b, double radius) {
     cv::Mat mask = cv::Mat::zeros(kHeight, kWidth, CV_8UC1);
-    const double dx = double{b.x} - a.x, dy = double{b.y} - a.y;
+    const cv::Point2d from(a), along = cv::Point2d(b) - from;
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
-        const double share = std::clamp(((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-        const double distance = std::hypot(x - a.x - share * dx, y - a.y - share * dy);
-        if (distance <= radius) mask.at<std::uint8_t>(y, x) = 255;
+        const cv::Point2d to = cv::Point2d(x, y) - from;
+        const double share = std::clamp(to.dot(along) / along.dot(along), 0.0, 1.0);
+        const cv::Point2d apart = to - share * along;
+        if (std::hypot(apart.x, apart.y) <= radius) mask.at<std::uint8_t>(y, x) = 255;
       }
     }
     return mask;
