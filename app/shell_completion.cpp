@@ -23,7 +23,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 }
 
 /// In single quotes for a shell.
-std::string quoted(const std::string& text) {
+std::string shellQuoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
@@ -35,13 +35,13 @@ std::string quoted(const std::string& text) {
 std::string bashValue(const ReferenceOption& option) {
   switch (option.kind) {
     case ValueKind::choice:
-      return "words=" + quoted(joined(option.choices, " "));
+      return "words=" + shellQuoted(joined(option.choices, " "));
     case ValueKind::file:
       return "files=-f";
     case ValueKind::folder:
       return "files=-d";
     case ValueKind::source:
-      return "files=-f words=" + quoted(std::string(kSourceWords));
+      return "files=-f words=" + shellQuoted(std::string(kSourceWords));
     case ValueKind::text:
     case ValueKind::none:
       break;
@@ -52,7 +52,7 @@ std::string bashValue(const ReferenceOption& option) {
 std::string bashPaths(const ReferenceCommand& program) {
   std::vector<std::string> paths;
   forEachCommand(program, program.name, [&](const ReferenceCommand& command, const std::string& path) {
-    if (&command != &program) paths.push_back(quoted(path));
+    if (&command != &program) paths.push_back(shellQuoted(path));
   });
   return joined(paths, " | ");
 }
@@ -64,7 +64,7 @@ std::string bashOptionCases(const ReferenceCommand& program) {
     for (const ReferenceOption& option : command.options) {
       if (option.kind == ValueKind::none) continue;
       std::vector<std::string> patterns;
-      for (const std::string& name : option.names) patterns.push_back(quoted(path + " " + name));
+      for (const std::string& name : option.names) patterns.push_back(shellQuoted(path + " " + name));
       const std::string value = bashValue(option);
       cases += "    " + joined(patterns, " | ") + ") " + (value.empty() ? "return" : value) + " ;;\n";
     }
@@ -88,8 +88,9 @@ std::string bashCommandCases(const ReferenceCommand& program) {
     std::vector<std::string> names;
     for (const ReferenceOption& option : command.options)
       names.insert(names.end(), option.names.begin(), option.names.end());
-    cases += "    " + quoted(path) + ")\n      words=" + quoted(words) +
-             " options=" + quoted(joined(names, " ")) + (files.empty() ? "" : " files=" + files) + " ;;\n";
+    cases += "    " + shellQuoted(path) + ")\n      words=" + shellQuoted(words) +
+             " options=" + shellQuoted(joined(names, " ")) + (files.empty() ? "" : " files=" + files) +
+             " ;;\n";
   });
   return cases;
 }
@@ -138,14 +139,15 @@ std::string zshOption(const ReferenceOption& option) {
     const bool is_long = option.kind != ValueKind::none && name.starts_with("--");
     std::string spec = lead + name + (is_long ? "=" : "") + "[" + zshText(option.description) + "]";
     if (option.kind != ValueKind::none) spec += ":" + zshText(option.value) + ":" + zshAction(option);
-    lines += "    " + quoted(spec) + " \\\n";
+    lines += "    " + shellQuoted(spec) + " \\\n";
   }
   return lines;
 }
 
 std::string zshPositional(const ReferenceOption& positional) {
   const std::string lead = positional.is_repeatable ? "*:" : positional.is_required ? ":" : "::";
-  return "    " + quoted(lead + zshText(positional.names.front()) + ":" + zshAction(positional)) + " \\\n";
+  return "    " + shellQuoted(lead + zshText(positional.names.front()) + ":" + zshAction(positional)) +
+         " \\\n";
 }
 
 /// A command that has commands: the first word is one of them, the rest belongs to it.
@@ -153,7 +155,7 @@ std::string zshParent(const ReferenceCommand& command, const std::string& path) 
   std::string names, calls;
   for (const ReferenceCommand& sub : command.commands) {
     const std::string summary = sub.description.substr(0, sub.description.find('\n'));
-    names += "        " + quoted(zshText(sub.name) + ":" + zshText(summary)) + "\n";
+    names += "        " + shellQuoted(zshText(sub.name) + ":" + zshText(summary)) + "\n";
     calls += "        " + sub.name + ") " + zshFunction(path + " " + sub.name) + " ;;\n";
   }
   std::string others;  // the program itself may also begin with a source

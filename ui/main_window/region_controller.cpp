@@ -85,7 +85,7 @@ void RegionController::connectImage(ImageMode& image) {
   connect(&image, &ImageMode::doubleClicked, this, [this](const RegionPoint& at, const QPoint& on_screen) {
     if (!at.region || splitter_->expectsStroke()) return;
     selection_.select(at.region);
-    editName(on_screen);
+    naming_->edit(on_screen);
   });
   connect(&image, &ImageMode::menuRequested, this, &RegionController::openMenu);
   connect(&image, &ImageMode::operationReady, &operations_, &RegionOperations::perform);

@@ -55,7 +55,9 @@ TEST(ReconnectingSource, GoesOn_WhenTheCameraReturns) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_EQ(frames[i].frame.index, static_cast<int>(i));
     EXPECT_EQ(frames[i].is_reconnected, i == 3) << i;
-    if (i > 0) EXPECT_GT(frames[i].frame.timestamp_s, frames[i - 1].frame.timestamp_s);
+    if (i > 0) {
+      EXPECT_GT(frames[i].frame.timestamp_s, frames[i - 1].frame.timestamp_s);
+    }
   }
   // Two openings failed before that which worked.
   int lost = 0;
