@@ -38,12 +38,14 @@ class ObjectMergingTest : public CatalogueTest {
   /// The visible objects and their views, as one text.
   [[nodiscard]] std::string visibleState() const {
     std::ostringstream text;
-    for (const ObjectRecord& object : *database_->objects()) {
+    const auto objects = database_->objects();
+    for (const ObjectRecord& object : *objects) {
       text << object.id.value << object.name << static_cast<int>(object.named_by) << object.confirmed
            << object.size_m.transpose()
            << askDatabase(file(),
                           QString("SELECT best_view FROM objects WHERE id = %1").arg(object.id.value));
-      for (const ObjectView& view : *database_->views().of(object.id)) text << ' ' << view.id;
+      const auto views = database_->views().of(object.id);
+      for (const ObjectView& view : *views) text << ' ' << view.id;
       text << ';';
     }
     return text.str();

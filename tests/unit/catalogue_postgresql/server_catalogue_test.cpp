@@ -117,7 +117,8 @@ TEST_F(ServerCatalogueTest, NamesOneObject_WhenScannersWriteAtTheSameTime) {
   EXPECT_EQ(added, kScanners * kObjects);
   EXPECT_EQ(named, kObjects) << "each name once";
   std::set<std::string> names;
-  for (const ObjectRecord& object : *reader->objects()) names.insert(object.name);
+  const auto objects = reader->objects();
+  for (const ObjectRecord& object : *objects) names.insert(object.name);
   EXPECT_EQ(names.size(), static_cast<std::size_t>(kScanners * kObjects));
 }
 

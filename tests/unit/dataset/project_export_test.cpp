@@ -170,7 +170,9 @@ TEST_F(ProjectExportTest, MasksShareNumbers) {
     for (const int number : in_image) {
       EXPECT_TRUE(seen.insert(number).second) << "another scan has this number";
       const std::string scan = labels[std::to_string(number)]["scan"];
-      if (name.starts_with("kitchen_")) EXPECT_EQ(scan, "kitchen");
+      if (name.starts_with("kitchen_")) {
+        EXPECT_EQ(scan, "kitchen");
+      }
     }
   }
 }

@@ -77,7 +77,7 @@ TEST(OpenedPath, IsFound_WithoutAFolder) {
 TEST(OpenedPath, IsNothing_OtherwiseAndWhenEmpty) {
   const TemporaryFolder folder;
   folder.write("plain/a.txt", "a");
-  for (const std::string given :
+  for (const std::string& given :
        {(folder / "plain").string(), (folder / "plain/a.txt").string(),
         (folder / "none/session.sqlite").string(), std::string(), std::string("demo")})
     EXPECT_EQ(recognizePath(given).kind, Kind::other) << given;
