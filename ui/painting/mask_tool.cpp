@@ -139,7 +139,7 @@ std::unique_ptr<MaskTool> MaskTool::make(PaintTool tool, const cv::Size& size) {
 
 void MaskTool::reset() {
   note(cv::boundingRect(draft_));
-  draft_ = cv::Mat::zeros(draft_.size(), CV_8UC1);  // the former one may be in use
+  draft_ = cv::Mat(draft_.size(), CV_8UC1, cv::Scalar(0));  // a new one: the former one may be in use
   points_.clear();
 }
 
