@@ -314,7 +314,7 @@ TEST_F(PointingTest, EndedScanShowsKeyFrames_AndExportsADataSet) {
   window_->parts().actions->export_data->trigger();
   ASSERT_NE(window_->dialogs().exportDialog(), nullptr);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !worker_->previews.empty(); }, kPatience_ms));
-  worker_->report(ExportPreviewed{{.images = 12, .regions = 3, .megabytes = 40}});
+  worker_->report(ExportPreviewed{{.images = 12, .regions = 3, .megabytes = 40, .classes = {}}});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->dialogs().exportDialog()->message().contains(QStringLiteral("12 images")); },
       kPatience_ms));
