@@ -66,6 +66,26 @@ struct EntryCounts {
   }
 };
 
+/// Shows its content only where there is room for it: small screens keep the height for the list.
+class FoldingRow : public QWidget {
+ public:
+  explicit FoldingRow(QWidget* content) : content_(content) { content_->setParent(this); }
+
+  [[nodiscard]] QSize sizeHint() const override { return content_->sizeHint(); }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {content_->minimumSizeHint().width(), 0}; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    const int full = content_->sizeHint().height();
+    content_->setGeometry(0, 0, width(), full);
+    content_->setVisible(height() >= full);
+  }
+
+ private:
+  QWidget* content_;
+};
+
 }  // namespace
 
 ObjectFilterBar::ObjectFilterBar(ObjectListModel& model, ObjectFilter& filter, QWidget* parent)
@@ -87,7 +107,9 @@ ObjectFilterBar::ObjectFilterBar(ObjectListModel& model, ObjectFilter& filter, Q
     button->setAccessibleName(tr("Clear the search"));
   search_->installEventFilter(this);
   column->addWidget(search_);
-  auto* row = new QHBoxLayout;
+  auto* choices = new QWidget;
+  auto* row = new QHBoxLayout(choices);
+  row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
   shown_->setAccessibleName(tr("Objects to show"));
   shown_->setToolTip(tr("Which objects the list shows"));
@@ -98,7 +120,7 @@ ObjectFilterBar::ObjectFilterBar(ObjectListModel& model, ObjectFilter& filter, Q
     box->setMinimumContentsLength(8);
     row->addWidget(box, 1);
   }
-  column->addLayout(row);
+  column->addWidget(new FoldingRow(choices));
   for (const auto& [order, text] :
        {std::pair(Order::oldest, tr("Oldest first")), std::pair(Order::newest, tr("Newest first")),
         std::pair(Order::name, tr("Name")), std::pair(Order::object_class, tr("Class")),

@@ -55,6 +55,7 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   layout->addWidget(catalogue_);
   layout->addWidget(makeHead());
   layout->addWidget(filter_bar_);
+  pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // the choices above fold last
   layout->addWidget(pages_, 1);
   layout->addWidget(makeDetails());
 

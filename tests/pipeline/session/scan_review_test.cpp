@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <opencv2/core.hpp>
 
@@ -169,9 +170,12 @@ TEST_F(ScanReviewTest, SavedSessionIsShownEditedAndExported) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "masks" / "labels.json"));
   EXPECT_FALSE(log_.all<ExportStepped>().empty());
   EXPECT_TRUE(log_.all<ExportFailed>().empty());
-  // The folder is not empty now: the export fails, and the review continues.
+  // A file of somebody else is in the folder now: the export fails, and the review continues.
+  const std::filesystem::path note = folder_ / "masks" / "note.txt";
+  std::ofstream(note) << "mine";
   worker_.post(ExportDataset{options});
   log_.await<ExportFailed>();
+  EXPECT_TRUE(std::filesystem::exists(note));
   worker_.post(EditRegions{UndoEdit{}});
   log_.await<Edited>(2);
   EXPECT_NE(awaitShown([&](const ScanSnapshot& s) { return !shows_table(s); }), nullptr);

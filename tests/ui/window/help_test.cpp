@@ -32,9 +32,9 @@ std::set<QString> keysIn(const HelpDialog& help) {
 
 /// The label on a key; Qt's names differ.
 QString nameOf(const QKeySequence& sequence) {
-  const QString name = sequence.toString(QKeySequence::PortableText);
-  if (name == QStringLiteral("PgUp")) return QStringLiteral("Page up");
-  if (name == QStringLiteral("PgDown")) return QStringLiteral("Page down");
+  QString name = sequence.toString(QKeySequence::PortableText);
+  name.replace(QStringLiteral("PgUp"), QStringLiteral("Page up"));
+  name.replace(QStringLiteral("PgDown"), QStringLiteral("Page down"));
   if (name == QStringLiteral("Esc")) return QStringLiteral("Escape");
   return name == QStringLiteral("-") ? QStringLiteral("−") : name;
 }
