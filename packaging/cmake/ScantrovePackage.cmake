@@ -41,6 +41,13 @@ install(FILES "${made}/scantrove.zsh" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/
         RENAME _scantrove)
 install(FILES "${made}/changelog.gz" "${PROJECT_SOURCE_DIR}/packaging/debian/copyright"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/scantrove")
+# packaging/package builds the guide first; without it the program says where its pages are.
+set(guide "${PROJECT_SOURCE_DIR}/build/guide")
+if(EXISTS "${guide}/index.html")
+  install(DIRECTORY "${guide}/" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/scantrove/guide")
+else()
+  message(STATUS "The guide is not installed: packaging/guide builds it")
+endif()
 install(FILES "${desktop}/${SCANTROVE_APP_ID}.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES "${desktop}/${SCANTROVE_APP_ID}.metainfo.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
 install(FILES "${desktop}/${SCANTROVE_APP_ID}.mime.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages"
