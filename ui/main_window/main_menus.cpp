@@ -10,6 +10,7 @@
 
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
+#include "ui/main_window/guide_opener.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/picture_saver.h"
@@ -113,7 +114,8 @@ void MainMenus::makeMenus() {
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Theme"));
   theme->addActions({actions.theme_system, actions.theme_light, actions.theme_dark});
-  window_.menuBar()->addMenu(tr("&Help"))->addActions({actions.help_keys, actions.about});
+  auto* guide = new GuideOpener(window_);
+  window_.menuBar()->addMenu(tr("&Help"))->addActions({guide->action(), actions.help_keys, actions.about});
   // Tooltips describe the commands, because the status line shows the state of the scan.
   for (QMenu* menu : window_.menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }

@@ -110,6 +110,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Click the title of an image, V"), tr("Enlarge it (twice: image mode)"));
   line(tr("F11"), tr("Presentation mode"));
   line(tr("?, F1"), tr("Show these keys"));
+  line(tr("Ctrl+F1"), tr("Show the guide in the browser"));
   line(tr("Ctrl+Q"), tr("Quit"));
   auto* scroll = new QScrollArea;  // for low screens
   scroll->setFrameShape(QFrame::NoFrame);

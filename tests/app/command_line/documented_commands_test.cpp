@@ -13,16 +13,30 @@
 
 #include "app/command_line.h"
 #include "tests/support/source_tree.h"
+#include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
 namespace {
 
 using testing::ElementsAre;
 
+/// Replaces what the parser looks up outside of the command line, and what only the reader's computer has:
+/// the window's PATH, a list of recordings, the job of a Slurm array.
+void replaceWhatIsElsewhere(std::vector<std::string>& arguments, const std::string& list) {
+  if (!arguments.empty() && arguments[0] == "PATH") arguments[0] = "demo";
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string& option = arguments[i - 1];
+    if (option == "--list" && !arguments[i].starts_with('-')) arguments[i] = list;
+    if (option == "--task" && arguments[i] == "slurm") arguments[i] = "1/8";
+  }
+}
+
 /// What the parser says against a command line; empty: nothing.
 std::string objectionTo(std::vector<std::string> arguments) {
-  // The window opens what is there only; a document's PATH is not.
-  if (!arguments.empty() && arguments[0] == "PATH") arguments[0] = "demo";
+  const TemporaryFolder folder;
+  const std::string list = folder / "list.txt";
+  std::ofstream(list) << "demo\n";
+  replaceWhatIsElsewhere(arguments, list);
   std::vector<const char*> argv{"scantrove"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   const CommandLine line = parseCommandLine(static_cast<int>(argv.size()), argv.data());
@@ -81,14 +95,17 @@ TEST(DocumentedCommands, AreReported_WhenWrong) {
       "    scantrove fold-laundry DIR\n"
       "    scantrove scan demo --out DIR --fast\n"
       "    scantrove export DIR --format paper --out DATA\n"
-      "    scantrove scan demo\n",
+      "    scantrove scan demo\n"
+      "    scantrove project scan LAB --list recordings.txt --task slurm\n"
+      "    scantrove project scan LAB --task slurm\n",
       "page");
-  ASSERT_EQ(objections.size(), 4U);
+  ASSERT_EQ(objections.size(), 5U);
   EXPECT_THAT(objections[0],
               testing::AllOf(testing::StartsWith("page:2: "), testing::HasSubstr("fold-laundry")));
   EXPECT_THAT(objections[1], testing::AllOf(testing::StartsWith("page:3: "), testing::HasSubstr("--fast")));
   EXPECT_THAT(objections[2], testing::AllOf(testing::StartsWith("page:4: "), testing::HasSubstr("paper")));
   EXPECT_THAT(objections[3], testing::AllOf(testing::StartsWith("page:5: "), testing::HasSubstr("--out")));
+  EXPECT_THAT(objections[4], testing::AllOf(testing::StartsWith("page:7: "), testing::HasSubstr("SOURCE")));
 }
 
 TEST(DocumentedCommands, AreThoseOfTheProgram) {
