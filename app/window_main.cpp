@@ -11,6 +11,7 @@
 
 #include "core/base/text.h"
 #include "core/project/opened_path.h"
+#include "ui/language/window_language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/scan_controller.h"
@@ -91,6 +92,7 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
   QApplication::setApplicationVersion(QStringLiteral(SCANTROVE_VERSION));
 #endif
   initializeResources();
+  const WindowLanguage language(chosenLanguage());
   applyTheme(options.theme);
 
   MainWindow window(startScanWorker, options);

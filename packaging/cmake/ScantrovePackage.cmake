@@ -82,7 +82,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS
   "pocl-opencl-icd | opencl-icd" libqt6sql6-sqlite qt6-qpa-plugins libqt6svg6 libxcb-cursor0 libxkbcommon-x11-0
   libgl1-mesa-dri libopenni2-0 fonts-dejavu-core hicolor-icon-theme)
-string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS shared-mime-info)
+string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS shared-mime-info qt6-translations-l10n)
 # A Kinect v1, an iPhone on USB, a catalogue on a server.
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_SUGGESTS libfreenect0.5 usbmuxd libqt6sql6-psql)
 include(CPack)

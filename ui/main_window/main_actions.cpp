@@ -43,7 +43,7 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   continue_scan = make("camera", tr("&Continue scan…"), tr("Ctrl+Alt+R"),
                        tr("Add frames of a recording or a camera to this saved scan"));
   save_picture =
-      make("image", tr("Save pi&cture…"), tr("Ctrl+Shift+P"), tr("Draw the whole scan into a new PNG file"));
+      make("image", tr("Save p&icture…"), tr("Ctrl+Shift+P"), tr("Draw the whole scan into a new PNG file"));
   save_video = make("", tr("Save turntable &video…"), {},
                     tr("Draw a video that goes around the scan once into a new WebM file"));
 
@@ -72,7 +72,7 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   image_mode->setCheckable(true);
   frame_back = make("", tr("&Previous key frame"), tr("PgUp"), tr("Go to the previous key frame"));
   frame_on = make("", tr("Ne&xt key frame"), tr("PgDown"), tr("Go to the next key frame"));
-  present = make("", tr("Prese&ntation mode"), tr("F11"), tr("Show the scene full screen; Escape ends"));
+  present = make("", tr("&Presentation mode"), tr("F11"), tr("Show the scene full screen; Escape ends"));
   reset_layout = make("", tr("&Reset layout"), {}, tr("Move all panels back to their default positions"));
   help_keys = make("help", tr("&Keys and mouse"), tr("?"), tr("Show all keys and mouse actions"));
   help_keys->setShortcuts({QKeySequence(tr("?")), QKeySequence(Qt::Key_F1)});
@@ -95,7 +95,9 @@ QAction* MainActions::make(const char* picture, const QString& text, const QStri
   auto* action = new QAction(text, this);
   if (*picture != '\0') action->setIcon(icon(QString::fromLatin1(picture)));
   if (!key.isEmpty()) action->setShortcut(QKeySequence(key));
-  action->setToolTip(key.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, key));
+  action->setToolTip(key.isEmpty() ? help
+                                   : QStringLiteral("%1 (%2)").arg(
+                                         help, action->shortcut().toString(QKeySequence::NativeText)));
   return action;
 }
 
@@ -103,7 +105,7 @@ void MainActions::enableFor(ScanState state, bool has_source) {
   const bool busy = isBusy(state);
   const bool paused = state == ScanState::paused;
   start->setEnabled(has_source && (!busy || paused));
-  start->setText(paused ? tr("&Resume") : tr("&Start"));
+  start->setText(paused ? tr("Res&ume") : tr("&Start"));
   pause->setEnabled(state == ScanState::scanning || paused);
   step->setEnabled(state == ScanState::scanning || paused);
   stop->setEnabled(state == ScanState::starting || state == ScanState::scanning || paused);

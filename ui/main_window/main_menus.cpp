@@ -11,6 +11,7 @@
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/guide_opener.h"
+#include "ui/main_window/language_menu.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/picture_saver.h"
@@ -26,6 +27,7 @@
 #include "ui/main_window/view_actions.h"
 #include "ui/main_window/window_dialogs.h"
 #include "ui/panels/frame_panels.h"
+#include "ui/panels/message_bar.h"
 #include "ui/panels/object_filter_bar.h"
 #include "ui/panels/object_list_view.h"
 #include "ui/panels/object_panel.h"
@@ -114,6 +116,10 @@ void MainMenus::makeMenus() {
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Theme"));
   theme->addActions({actions.theme_system, actions.theme_light, actions.theme_dark});
+  auto* language = new LanguageMenu(view);
+  view->addMenu(language);
+  connect(language, &LanguageMenu::noticed, this,
+          [this](const QString& notice) { parts_.messages->show(MessageBar::Kind::info, notice); });
   auto* guide = new GuideOpener(window_);
   window_.menuBar()->addMenu(tr("&Help"))->addActions({guide->action(), actions.help_keys, actions.about});
   // Tooltips describe the commands, because the status line shows the state of the scan.

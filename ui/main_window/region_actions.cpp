@@ -18,7 +18,7 @@ RegionActions::RegionActions(QObject* parent) : QObject(parent) {
                     tr("Mark as background (wall, floor, table), which data sets omit"));
   background->setCheckable(true);
   object = make("cube", tr("Mark as &object"), {Qt::Key_O}, tr("Add the region to the catalogue"));
-  reject = make("delete", tr("&Not an object"), {Qt::Key_Delete},
+  reject = make("delete", tr("No&t an object"), {Qt::Key_Delete},
                 tr("Mark as not an object; it is not suggested again"));
   reject->setCheckable(true);
   accept = make("", tr("&Accept suggestion"), {Qt::Key_A}, tr("Accept this suggestion"));

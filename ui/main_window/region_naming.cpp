@@ -72,10 +72,10 @@ void RegionNaming::edit(const QPoint& on_screen) {
     const Result<RegionNames::Completion> completion = names_.complete(typed);
     return completion ? std::optional(completion->typed) : std::nullopt;
   };
-  const auto count = regions_.size();
+  const auto count = static_cast<int>(regions_.size());
   editor_->begin(
       {on_screen, text, known,
-       count > 1 ? tr("Name of %1 regions").arg(count) : tr("Name of %1").arg(selection_.title(region)),
+       count > 1 ? tr("Name of %n regions", nullptr, count) : tr("Name of %1").arg(selection_.title(region)),
        check});
 }
 

@@ -22,21 +22,20 @@ QString detailsOf(const SessionSummary& scan) {
   QStringList words;
   const QDateTime started =
       QDateTime::fromString(QString::fromStdString(scan.started), Qt::ISODate).toLocalTime();
-  if (started.isValid()) words << QLocale().toString(started, QStringLiteral("d MMM, HH:mm"));
+  if (started.isValid()) words << QLocale().toString(started, SavedScansPanel::tr("d MMM, HH:mm"));
   if (scan.in_use) words << SavedScansPanel::tr("in use");
   if (scan.isRecovered()) words << SavedScansPanel::tr("recovered");
   QStringList lines{words.join(QStringLiteral(" · "))};
   words.clear();
   const auto named = static_cast<int>(scan.names.size());
   if (const int found = std::max(scan.objects, named); found > 0) {
-    words << SavedScansPanel::tr("%1 of %2 objects named").arg(named).arg(found);
+    words << SavedScansPanel::tr("%1 of %n objects named", nullptr, found).arg(named);
   } else {
-    words << SavedScansPanel::tr("%1 frames").arg(scan.frames);
+    words << SavedScansPanel::tr("%n frames", nullptr, scan.frames);
   }
   if (scan.reviews.all() > 0)
-    words << SavedScansPanel::tr("%1 of %2 images reviewed")
-                 .arg(scan.reviews.reviewed())
-                 .arg(scan.reviews.all());
+    words << SavedScansPanel::tr("%1 of %n images reviewed", nullptr, scan.reviews.all())
+                 .arg(scan.reviews.reviewed());
   words << SavedScansPanel::tr("%1 MB").arg(std::max(1L, std::lround(scan.megabytes)));
   QStringList names;
   for (const std::string& name : scan.names) {

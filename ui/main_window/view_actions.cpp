@@ -70,7 +70,7 @@ ViewActions::ViewActions(SceneView* view, QObject* parent)
 
 void ViewActions::makeColorings() {
   const std::array names{tr("&Scene colours"), tr("&Regions"), tr("Scene and regions &blended"),
-                         tr("&Surface direction"), tr("&Height")};
+                         tr("Surface &direction"), tr("&Height")};
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto* action = new QAction(names[i], colorings_);
     action->setCheckable(true);

@@ -186,9 +186,9 @@ bool CatalogueEditor::setConfirmed(const std::vector<ObjectId>& objects, bool co
   }
   if (others.empty()) return false;
   return perform(
-      others.size() > 1
-          ? (confirmed ? tr("Confirm %1 objects") : tr("Unconfirm %1 objects")).arg(others.size())
-          : (confirmed ? tr("Confirm object") : tr("Unconfirm object")),
+      others.size() > 1 ? (confirmed ? tr("Confirm %n objects", nullptr, static_cast<int>(others.size()))
+                                     : tr("Unconfirm %n objects", nullptr, static_cast<int>(others.size())))
+                        : (confirmed ? tr("Confirm object") : tr("Unconfirm object")),
       [others, confirmed](ObjectDatabase& database) { return database.setConfirmed(others, confirmed); },
       [others, confirmed](ObjectDatabase& database) { return database.setConfirmed(others, !confirmed); });
 }
@@ -196,7 +196,8 @@ bool CatalogueEditor::setConfirmed(const std::vector<ObjectId>& objects, bool co
 bool CatalogueEditor::remove(const std::vector<ObjectId>& objects) {
   if (objects.empty()) return false;
   return perform(
-      objects.size() == 1 ? tr("Delete object") : tr("Delete %1 objects").arg(objects.size()),
+      objects.size() == 1 ? tr("Delete object")
+                          : tr("Delete %n objects", nullptr, static_cast<int>(objects.size())),
       [objects](ObjectDatabase& database) { return database.remove(objects); },
       [objects](ObjectDatabase& database) { return database.restore(objects); });
 }
@@ -205,7 +206,7 @@ bool CatalogueEditor::merge(const std::vector<ObjectId>& objects) {
   if (objects.size() < 2) return false;
   const auto merged = std::make_shared<ObjectMerge>();
   return perform(
-      tr("Merge %1 objects").arg(objects.size()),
+      tr("Merge %n objects", nullptr, static_cast<int>(objects.size())),
       [objects, merged](ObjectDatabase& database) { return moveInto(*merged, database.merge(objects)); },
       [merged](ObjectDatabase& database) { return database.unmerge(*merged); });
 }

@@ -94,7 +94,7 @@ bool ClassEditor::edit(const ClassDraft& draft) {
 bool ClassEditor::merge(const std::vector<ClassId>& from, ClassId into) {
   const auto merged = std::make_shared<ClassMerge>();
   return editor_.perform(
-      QObject::tr("Merge %1 classes").arg(from.size() + 1),
+      QObject::tr("Merge %n classes", nullptr, static_cast<int>(from.size()) + 1),
       [from, into, merged](ObjectDatabase& database) {
         return moveInto(*merged, database.classes().merge(from, into));
       },
@@ -104,7 +104,7 @@ bool ClassEditor::merge(const std::vector<ClassId>& from, ClassId into) {
 bool ClassEditor::hide(const std::vector<ClassId>& classes) {
   return editor_.perform(
       classes.size() == 1 ? QObject::tr("Delete class")
-                          : QObject::tr("Delete %1 classes").arg(classes.size()),
+                          : QObject::tr("Delete %n classes", nullptr, static_cast<int>(classes.size())),
       [classes](ObjectDatabase& database) { return database.classes().hide(classes); },
       [classes](ObjectDatabase& database) { return database.classes().restore(classes); });
 }

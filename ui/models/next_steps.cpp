@@ -32,16 +32,13 @@ std::vector<NextStep> nextStepsOf(const WorkLeft& work) {
 }
 
 QString textOf(const NextStep& step) {
-  const auto words = [](const char* text, int count = -1) {
-    return QCoreApplication::translate("NextSteps", text, nullptr, count);
-  };
   switch (step.kind) {
     case NextStep::Kind::name:
-      return step.left == 1 ? words("Name 1 found object") : words("Name %n found objects", step.left);
+      return QCoreApplication::translate("NextSteps", "Name %n found objects", nullptr, step.left);
     case NextStep::Kind::check:
-      return step.left == 1 ? words("Check 1 key frame") : words("Check %n key frames", step.left);
+      return QCoreApplication::translate("NextSteps", "Check %n key frames", nullptr, step.left);
     case NextStep::Kind::export_data:
-      return words("Export data set");
+      return QCoreApplication::translate("NextSteps", "Export data set");
   }
   return {};
 }

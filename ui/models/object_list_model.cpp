@@ -18,9 +18,7 @@ QString sizeText(const ObjectRecord& record) {
 
 }  // namespace
 
-QString viewsInWords(int views) {
-  return views == 1 ? ObjectListModel::tr("1 view") : ObjectListModel::tr("%1 views").arg(views);
-}
+QString viewsInWords(int views) { return ObjectListModel::tr("%n views", nullptr, views); }
 
 QString sidesInWords(const SeenSides& seen) {
   return seen.isComplete()

@@ -246,7 +246,7 @@ void ClassDialog::importFrom(const QString& file) {
 
 void ClassDialog::exportTo(const QString& file) {
   if (editor_.exportTo(file))
-    message_->setText(tr("%1 classes written to %2.").arg(classes_.size()).arg(file));
+    message_->setText(tr("%n classes written to %1.", nullptr, static_cast<int>(classes_.size())).arg(file));
 }
 
 QString ClassDialog::message() const { return message_->text(); }

@@ -1,5 +1,6 @@
 #include "ui/panels/depth_panel.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 
@@ -16,8 +17,9 @@ void DepthPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   painter.setFont(font);
   const QFontMetricsF metrics(font);
   const double bar_width = std::clamp(rect.width() * 0.24, 40.0, 90.0);
-  const QString near_text = QString::number(static_cast<double>(range_.near_m), 'f', 1);
-  const QString far_text = tr("%1 m").arg(static_cast<double>(range_.far_m), 0, 'f', 1);
+  const QLocale locale;
+  const QString near_text = locale.toString(static_cast<double>(range_.near_m), 'f', 1);
+  const QString far_text = tr("%1 m").arg(locale.toString(static_cast<double>(range_.far_m), 'f', 1));
   const double near_width = metrics.horizontalAdvance(near_text);
   const double far_width = metrics.horizontalAdvance(far_text);
   const double width = near_width + far_width + bar_width + 18;

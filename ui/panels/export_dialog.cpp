@@ -71,10 +71,10 @@ QString aboutFormat(DatasetFormat format) {
 
 QString contentOf(const ExportSummary& summary) {
   QStringList what;
-  if (summary.scans > 1) what << ExportDialog::tr("%1 scans").arg(summary.scans);
-  if (summary.images > 0) what << ExportDialog::tr("%1 images").arg(summary.images);
-  if (summary.regions > 0) what << ExportDialog::tr("%1 objects").arg(summary.regions);
-  if (summary.annotations > 0) what << ExportDialog::tr("%1 masks").arg(summary.annotations);
+  if (summary.scans > 1) what << ExportDialog::tr("%n scans", nullptr, summary.scans);
+  if (summary.images > 0) what << ExportDialog::tr("%n images", nullptr, summary.images);
+  if (summary.regions > 0) what << ExportDialog::tr("%n objects", nullptr, summary.regions);
+  if (summary.annotations > 0) what << ExportDialog::tr("%n masks", nullptr, summary.annotations);
   if (summary.points > 0) what << ExportDialog::tr("%1 points").arg(summary.points);
   what << ExportDialog::tr("%1 MB").arg(std::max(1L, std::lround(static_cast<double>(summary.bytes) / 1e6)));
   return what.join(QStringLiteral(", "));
@@ -83,8 +83,8 @@ QString contentOf(const ExportSummary& summary) {
 QString notesOf(const ExportSummary& summary) {
   QString text;
   if (!summary.skipped.empty()) {
-    text += ExportDialog::tr("\n%1 frames are not included: %2")
-                .arg(summary.skipped.size())
+    text += ExportDialog::tr("\n%n frames are not included: %1", nullptr,
+                             static_cast<int>(summary.skipped.size()))
                 .arg(QString::fromStdString(summary.skipped.front()));
   }
   for (const std::string& note : summary.notes) text += QLatin1Char('\n') + QString::fromStdString(note);
@@ -241,14 +241,15 @@ void ExportDialog::showPreview(const ExportPreview& preview) {
   choices_->setClasses(preview.classes);
   if (isWorking() || !done_folder_.isEmpty()) return;
   if (scans_->isProject()) {
-    message_->setText(tr("%1 scans of the project. Count shows what they hold.").arg(scans_->scans().size()));
+    message_->setText(tr("%n scans of the project. Count shows what they hold.", nullptr,
+                         static_cast<int>(scans_->scans().size())));
   } else if (preview.regions == 0) {
     message_->setText(tr("Nothing would be exported. Name some regions first, or choose other labels."));
   } else {
-    message_->setText(tr("%1 images, %2 objects, about %3 MB")
-                          .arg(preview.images)
-                          .arg(preview.regions)
-                          .arg(std::max(1L, std::lround(preview.megabytes))));
+    message_->setText(
+        tr("%1, %2, about %3 MB")
+            .arg(tr("%n images", nullptr, preview.images), tr("%n objects", nullptr, preview.regions))
+            .arg(std::max(1L, std::lround(preview.megabytes))));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -14,6 +15,7 @@
 
 #include "core/base/check.h"
 #include "core/session/param_registry.h"
+#include "ui/language/core_texts.h"
 
 namespace scantrove {
 namespace {
@@ -36,7 +38,7 @@ const ParamInfo& infoOf(const std::string& key) {
 
 QString helpOf(const ParamInfo& info) {
   return QStringLiteral("%1<br><code>%2</code>")
-      .arg(QString::fromStdString(info.help).toHtmlEscaped(), QString::fromStdString(info.key));
+      .arg(coreText(info.help).toHtmlEscaped(), QString::fromStdString(info.key));
 }
 
 }  // namespace
@@ -129,7 +131,8 @@ QWidget* ParamsPanel::makeDetailSlider() {
 }
 
 void ParamsPanel::showK() {
-  k_value_->setText(QStringLiteral("<b>%1</b>").arg(static_cast<double>(params_.segmentation.k), 0, 'g', 2));
+  k_value_->setText(QStringLiteral("<b>%1</b>")
+                        .arg(QLocale().toString(static_cast<double>(params_.segmentation.k), 'g', 2)));
 }
 
 void ParamsPanel::addField(QFormLayout* form, const std::string& key, const QString& label) {
@@ -154,7 +157,7 @@ QWidget* ParamsPanel::makeField(const ParamInfo& info) {
     number->setMinimum(info.minimum - step);
     number->setSpecialValueText(tr("auto"));
   }
-  if (!info.unit.empty()) number->setSuffix(QLatin1Char(' ') + QString::fromStdString(info.unit));
+  if (!info.unit.empty()) number->setSuffix(QLatin1Char(' ') + coreText(info.unit));
   number->setKeyboardTracking(false);
   connect(number, &QDoubleSpinBox::valueChanged, this, [this, &info](double entered) {
     info.set(params_, entered < info.minimum ? static_cast<double>(kAutomatic) : entered);

@@ -81,15 +81,14 @@ void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
     bar_->setValue(snapshot.frames.done());
     bar_->setUpdatesEnabled(true);
     bar_->show();
-    setCount(tr("%1 of %2 frames").arg(snapshot.frames.done()).arg(snapshot.frames_total));
+    setCount(tr("%1 of %n frames", nullptr, snapshot.frames_total).arg(snapshot.frames.done()));
     return;
   }
   bar_->hide();
   const qint64 seconds = since_start_.isValid() ? since_start_.elapsed() / 1000 : 0;
-  setCount(tr("%1:%2   %3 frames")
+  setCount(tr("%1:%2   %n frames", nullptr, snapshot.frames.done())
                .arg(seconds / 60)
-               .arg(seconds % 60, 2, 10, QLatin1Char('0'))
-               .arg(snapshot.frames.done()));
+               .arg(seconds % 60, 2, 10, QLatin1Char('0')));
 }
 
 void ProgressStrip::setCount(const QString& text) {

@@ -39,7 +39,7 @@ void ProposalBar::update() {
   if (first == nullptr) return;
   const auto others = proposals_.open().size() - 1;
   QString text = tr("Is this a “%1” too? (%2)").arg(first->name, reasonOf(*first));
-  if (others > 0) text += tr("  and %1 more").arg(others);
+  if (others > 0) text += tr("  and %n more", nullptr, static_cast<int>(others));
   text_->setText(text);
 }
 

@@ -63,7 +63,7 @@ void SavedScansPanel::setScans(const std::vector<SavedScanEntry>& scans) {
     cards_->addWidget(makeCard(scans[i]), index / kSavedScanColumns, index % kSavedScanColumns);
   }
   for (int c = 0; c < kSavedScanColumns; ++c) cards_->setColumnStretch(c, 1);
-  more_->setText(tr("and %1 more: File > Open scan").arg(scans.size() - shown));
+  more_->setText(tr("and %n more: File > Open scan", nullptr, static_cast<int>(scans.size() - shown)));
   more_->setVisible(scans.size() > shown);
   setVisible(!scans.empty());
 }

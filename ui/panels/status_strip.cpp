@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/common/tracking_color.h"
+#include "ui/language/core_texts.h"
 #include "ui/panels/elided_label.h"
 #include "ui/theme/theme.h"
 
@@ -33,12 +34,12 @@ QString stageTable(const ScanSnapshot& snapshot, double total_ms) {
   QString rows;
   for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) {
     rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'>%2 ms</td></tr>")
-                .arg(QString::fromStdString(stage.name).toHtmlEscaped(), QString::number(stage.ms, 'f', 1));
+                .arg(coreText(stage.name).toHtmlEscaped(), QLocale().toString(stage.ms, 'f', 1));
   }
   return StatusStrip::tr(
              "<b>Time of the last frame by stage</b><table>%1"
              "<tr><td><b>total</b></td><td align='right'><b>%2 ms</b></td></tr></table>")
-      .arg(rows, QString::number(total_ms, 'f', 1));
+      .arg(rows, QLocale().toString(total_ms, 'f', 1));
 }
 
 }  // namespace
@@ -165,8 +166,9 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
   showSpeed(snapshot);
 
   const QLocale locale;
-  QString map = tr("%1 regions   %2 bricks   %3 MB")
-                    .arg(locale.toString(snapshot.region_count), locale.toString(snapshot.map_bricks),
+  QString map = tr("%1   %2   %3 MB")
+                    .arg(tr("%Ln regions", nullptr, snapshot.region_count),
+                         tr("%Ln bricks", nullptr, snapshot.map_bricks),
                          locale.toString(snapshot.map_megabytes, 'f', 0));
   const QString voxel = locale.toString(1000 * static_cast<double>(snapshot.voxel_size_m), 'f', 1);
   if (snapshot.voxel_size_m != FusionParams{}.voxel_size_m) map += tr("   voxels %1 mm").arg(voxel);
@@ -183,7 +185,7 @@ void StatusStrip::showSpeed(const ScanSnapshot& snapshot) {
   // Without frames there is no speed; the last value would be misleading.
   const bool is_ending = state_ == ScanState::finishing || state_ == ScanState::refining;
   if (snapshot.stage_times.empty() || is_ending) return clearSpeed();
-  speed_->setText(tr("%1 fps").arg(snapshot.fps, 0, 'f', 1));
+  speed_->setText(tr("%1 fps").arg(QLocale().toString(snapshot.fps, 'f', 1)));
   double total_ms = 0;
   for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) total_ms += stage.ms;
   std::vector<ScanSnapshot::StageTime> slowest = snapshot.stage_times;
@@ -191,8 +193,7 @@ void StatusStrip::showSpeed(const ScanSnapshot& snapshot) {
   slowest.resize(std::min(slowest.size(), kStagesInLine));
   QStringList parts;
   for (const ScanSnapshot::StageTime& stage : slowest) {
-    parts << QStringLiteral("%1 %2").arg(QString::fromStdString(stage.name),
-                                         QString::number(stage.ms, 'f', 0));
+    parts << QStringLiteral("%1 %2").arg(coreText(stage.name), QString::number(stage.ms, 'f', 0));
   }
   stages_->setFullText(
       tr("%1 ms per frame:  %2").arg(total_ms, 0, 'f', 0).arg(parts.join(QStringLiteral(" · "))),

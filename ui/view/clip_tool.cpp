@@ -1,6 +1,7 @@
 #include "ui/view/clip_tool.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -36,7 +37,7 @@ void ClipTool::showLabel() {
   if (!active_) return;
   const float distance_m = view_->scene().clipDistance().value_or(0);
   label_->showBelow(tr("Clip plane at %1 m — Ctrl + wheel moves it, X removes it")
-                        .arg(static_cast<double>(distance_m), 0, 'f', 2),
+                        .arg(QLocale().toString(static_cast<double>(distance_m), 'f', 2)),
                     0);
 }
 

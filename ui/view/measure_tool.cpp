@@ -1,6 +1,7 @@
 #include "ui/view/measure_tool.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <algorithm>
 
@@ -46,7 +47,9 @@ std::optional<float> MeasureTool::length() const {
 
 QString MeasureTool::lengthText(float meters) {
   const auto length = static_cast<double>(meters);
-  return length < 1 ? tr("%1 cm").arg(100 * length, 0, 'f', 1) : tr("%1 m").arg(length, 0, 'f', 3);
+  const QLocale locale;
+  return length < 1 ? tr("%1 cm").arg(locale.toString(100 * length, 'f', 1))
+                    : tr("%1 m").arg(locale.toString(length, 'f', 3));
 }
 
 bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {

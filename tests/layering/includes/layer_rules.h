@@ -200,8 +200,8 @@ class LayerRules {
     const auto [layer, part] = layerOf(file);
     if (layer != "ui") return;
     const bool without_qt = part == "scene" || part == "common";
-    const bool without_vtk = part == "panels" || part == "models" || part == "bridge" ||
-                             part == "theme" || part == "painting";
+    const bool without_vtk = part == "panels" || part == "models" || part == "bridge" || part == "theme" ||
+                             part == "painting" || part == "language";
     if (!without_qt && !without_vtk) return;
     for (const std::string& header : reach(tree, file)) {
       const Toolkit toolkit = isOurs(header) ? Toolkit::none : toolkitOf(header);

@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <clocale>
 
+#include "ui/language/window_language.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("scantrove"));
   QApplication::setApplicationName(QStringLiteral("scantrove-tests"));
   scantrove::initializeResources();
+  const scantrove::WindowLanguage language(scantrove::LanguageChoice::english);
   scantrove::Theme::instance().choose(scantrove::ThemeChoice::dark);
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
