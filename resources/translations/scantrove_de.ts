@@ -2045,7 +2045,7 @@
         <translation>&amp;Regionen</translation>
     </message>
     <message>
-        <source>Recent &amp;names</source>
+        <source>&amp;Recent names</source>
         <translation>Zuletzt benutzte &amp;Namen</translation>
     </message>
     <message>
@@ -2861,7 +2861,7 @@ Escape im Suchfeld leert es.</translation>
 <context>
     <name>scantrove::RegionController</name>
     <message>
-        <source>Recent &amp;names</source>
+        <source>&amp;Recent names</source>
         <translation>Zuletzt benutzte &amp;Namen</translation>
     </message>
     <message>

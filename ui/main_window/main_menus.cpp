@@ -91,7 +91,7 @@ void MainMenus::makeMenus() {
   RegionActions& of_regions = window_.regions().actions();
   QMenu* regions = window_.menuBar()->addMenu(tr("&Regions"));
   regions->addActions(of_regions.onSelection());
-  QMenu* recent_names = regions->addMenu(tr("Recent &names"));
+  QMenu* recent_names = regions->addMenu(tr("&Recent names"));
   recent_names->addActions(of_regions.recent);
   regions->addSeparator();
   regions->addAction(of_regions.mark_supports);

@@ -208,7 +208,7 @@ void RegionController::openMenu(const RegionPoint& at, const QPoint& on_screen) 
   QMenu* recent = nullptr;
   for (QAction* action : actions_.recent) {
     if (!action->isVisible()) continue;
-    if (recent == nullptr) recent = menu->addMenu(tr("Recent &names"));
+    if (recent == nullptr) recent = menu->addMenu(tr("&Recent names"));
     recent->addAction(action);
   }
   menu->popup(on_screen);
