@@ -18,25 +18,26 @@ constexpr std::size_t kMaxNamesInList = 3;
 
 QString detailsOf(const SessionSummary& scan) {
   if (!scan.damage.empty())
-    return SavedScansPanel::tr("damaged") + QLatin1Char('\n') + QString::fromStdString(scan.damage);
+    return scantrove::SavedScansPanel::tr("damaged") + QLatin1Char('\n') +
+           QString::fromStdString(scan.damage);
   QStringList words;
   const QDateTime started =
       QDateTime::fromString(QString::fromStdString(scan.started), Qt::ISODate).toLocalTime();
-  if (started.isValid()) words << QLocale().toString(started, SavedScansPanel::tr("d MMM, HH:mm"));
-  if (scan.in_use) words << SavedScansPanel::tr("in use");
-  if (scan.isRecovered()) words << SavedScansPanel::tr("recovered");
+  if (started.isValid()) words << QLocale().toString(started, scantrove::SavedScansPanel::tr("d MMM, HH:mm"));
+  if (scan.in_use) words << scantrove::SavedScansPanel::tr("in use");
+  if (scan.isRecovered()) words << scantrove::SavedScansPanel::tr("recovered");
   QStringList lines{words.join(QStringLiteral(" · "))};
   words.clear();
   const auto named = static_cast<int>(scan.names.size());
   if (const int found = std::max(scan.objects, named); found > 0) {
-    words << SavedScansPanel::tr("%1 of %n objects named", nullptr, found).arg(named);
+    words << scantrove::SavedScansPanel::tr("%1 of %n objects named", nullptr, found).arg(named);
   } else {
-    words << SavedScansPanel::tr("%n frames", nullptr, scan.frames);
+    words << scantrove::SavedScansPanel::tr("%n frames", nullptr, scan.frames);
   }
   if (scan.reviews.all() > 0)
-    words << SavedScansPanel::tr("%1 of %n images reviewed", nullptr, scan.reviews.all())
+    words << scantrove::SavedScansPanel::tr("%1 of %n images reviewed", nullptr, scan.reviews.all())
                  .arg(scan.reviews.reviewed());
-  words << SavedScansPanel::tr("%1 MB").arg(std::max(1L, std::lround(scan.megabytes)));
+  words << scantrove::SavedScansPanel::tr("%1 MB").arg(std::max(1L, std::lround(scan.megabytes)));
   QStringList names;
   for (const std::string& name : scan.names) {
     if (static_cast<std::size_t>(names.size()) == kMaxNamesInList) {
@@ -68,7 +69,7 @@ std::vector<SavedScanEntry> savedScansIn(const QString& folder) {
 }
 
 DeleteScan::DeleteScan(const QString& folder, std::function<void()> done, Fail fail)
-    : QUndoCommand(SavedScansPanel::tr("Delete the scan %1").arg(QFileInfo(folder).fileName())),
+    : QUndoCommand(scantrove::SavedScansPanel::tr("Delete the scan %1").arg(QFileInfo(folder).fileName())),
       folder_(folder),
       done_(std::move(done)),
       fail_(std::move(fail)) {}
@@ -76,14 +77,16 @@ DeleteScan::DeleteScan(const QString& folder, std::function<void()> done, Fail f
 void DeleteScan::redo() {
   if (!QFile::moveToTrash(folder_, &in_trash_)) {
     setObsolete(true);
-    fail_(SavedScansPanel::tr("The scan %1 cannot be moved to the trash. It was not changed.").arg(folder_));
+    fail_(scantrove::SavedScansPanel::tr("The scan %1 cannot be moved to the trash. It was not changed.")
+              .arg(folder_));
   }
   done_();
 }
 
 void DeleteScan::undo() {
   if (!QDir().rename(in_trash_, folder_)) {
-    fail_(SavedScansPanel::tr("The scan cannot be restored from the trash. It is in %1.").arg(in_trash_));
+    fail_(scantrove::SavedScansPanel::tr("The scan cannot be restored from the trash. It is in %1.")
+              .arg(in_trash_));
   }
   done_();
 }

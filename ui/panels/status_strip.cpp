@@ -19,13 +19,13 @@ constexpr std::size_t kStagesInLine = 4;
 QString trackingInWords(TrackingState state) {
   switch (state) {
     case TrackingState::tracking:
-      return StatusStrip::tr("Tracking");
+      return scantrove::StatusStrip::tr("Tracking");
     case TrackingState::uncertain:
-      return StatusStrip::tr("Uncertain");
+      return scantrove::StatusStrip::tr("Uncertain");
     case TrackingState::lost:
-      return StatusStrip::tr("Lost: point the camera at a place that it has seen");
+      return scantrove::StatusStrip::tr("Lost: point the camera at a place that it has seen");
     case TrackingState::relocalized:
-      return StatusStrip::tr("Relocalised");
+      return scantrove::StatusStrip::tr("Relocalised");
   }
   return {};
 }
@@ -36,7 +36,7 @@ QString stageTable(const ScanSnapshot& snapshot, double total_ms) {
     rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'>%2 ms</td></tr>")
                 .arg(coreText(stage.name).toHtmlEscaped(), QLocale().toString(stage.ms, 'f', 1));
   }
-  return StatusStrip::tr(
+  return scantrove::StatusStrip::tr(
              "<b>Time of the last frame by stage</b><table>%1"
              "<tr><td><b>total</b></td><td align='right'><b>%2 ms</b></td></tr></table>")
       .arg(rows, QLocale().toString(total_ms, 'f', 1));
@@ -47,21 +47,21 @@ QString stageTable(const ScanSnapshot& snapshot, double total_ms) {
 QString stateInWords(ScanState state) {
   switch (state) {
     case ScanState::idle:
-      return StatusStrip::tr("Ready");
+      return scantrove::StatusStrip::tr("Ready");
     case ScanState::starting:
-      return StatusStrip::tr("Starting…");
+      return scantrove::StatusStrip::tr("Starting…");
     case ScanState::scanning:
-      return StatusStrip::tr("Scanning");
+      return scantrove::StatusStrip::tr("Scanning");
     case ScanState::paused:
-      return StatusStrip::tr("Paused");
+      return scantrove::StatusStrip::tr("Paused");
     case ScanState::finishing:
-      return StatusStrip::tr("Finishing…");
+      return scantrove::StatusStrip::tr("Finishing…");
     case ScanState::refining:
-      return StatusStrip::tr("Refining objects");
+      return scantrove::StatusStrip::tr("Refining objects");
     case ScanState::finished:
-      return StatusStrip::tr("Finished");
+      return scantrove::StatusStrip::tr("Finished");
     case ScanState::failed:
-      return StatusStrip::tr("Failed");
+      return scantrove::StatusStrip::tr("Failed");
   }
   return {};
 }

@@ -88,6 +88,20 @@ TEST(Translations, HaveAllTextsOfTheWindow) {
   EXPECT_EQ(english, plural) << "English translates the plural forms only";
 }
 
+// At run time the context of tr() is the class with its namespace; lupdate may miss it in free functions.
+TEST(Translations, HaveTheContextsOfRunTime) {
+  const std::set<QString> without_class{QStringLiteral("Core"),        QStringLiteral("FileDialog"),
+                                        QStringLiteral("NextSteps"),   QStringLiteral("QObject"),
+                                        QStringLiteral("RegionNames"), QStringLiteral("TypedName")};
+  for (const char* code : {"de", "en"}) {
+    for (const TranslatedMessage& message : readTranslation(QString::fromLatin1(code))) {
+      EXPECT_TRUE(message.context.startsWith(QStringLiteral("scantrove::")) ||
+                  without_class.contains(message.context))
+          << message.context.toStdString() << ": " << message.source.toStdString();
+    }
+  }
+}
+
 TEST(WindowLanguage, GivesPluralsAndNumbers) {
   const WindowLanguage english(LanguageChoice::english);
   EXPECT_EQ(english.code(), QStringLiteral("en"));
