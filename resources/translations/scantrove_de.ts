@@ -540,6 +540,22 @@
         <source>&amp;License</source>
         <translation>&amp;Lizenz</translation>
     </message>
+    <message>
+        <source>Only chec&amp;ked key frames</source>
+        <translation>Nur geprüfte S&amp;chlüsselbilder</translation>
+    </message>
+    <message>
+        <source>&amp;Textures</source>
+        <translation>&amp;Texturen</translation>
+    </message>
+    <message>
+        <source>Only key frames that you have checked in the review</source>
+        <translation>Nur Schlüsselbilder, die in der Durchsicht als geprüft markiert sind</translation>
+    </message>
+    <message>
+        <source>OBJ and GLB show the colour images of the key frames</source>
+        <translation>OBJ und GLB zeigen die Farbbilder der Schlüsselbilder</translation>
+    </message>
 </context>
 <context>
     <name>scantrove::ExportDialog</name>
@@ -1338,10 +1354,6 @@
         <translation>Klick auf den Titel eines Bildes, V</translation>
     </message>
     <message>
-        <source>Enlarge it</source>
-        <translation>Es vergrößern</translation>
-    </message>
-    <message>
         <source>F11</source>
         <translation>F11</translation>
     </message>
@@ -1488,14 +1500,6 @@
 </context>
 <context>
     <name>scantrove::ImagePanel</name>
-    <message>
-        <source>Click the title to enlarge the colour image again</source>
-        <translation>Ein Klick auf den Titel vergrößert wieder das Farbbild</translation>
-    </message>
-    <message>
-        <source>Click the title to enlarge</source>
-        <translation>Ein Klick auf den Titel vergrößert</translation>
-    </message>
     <message>
         <source>Click the title to enlarge the colour image again, twice for image mode</source>
         <translation>Ein Klick auf den Titel vergrößert wieder das Farbbild, zwei öffnen den Bildmodus</translation>
