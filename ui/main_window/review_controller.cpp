@@ -32,7 +32,8 @@ ReviewController::ReviewController(TimeLine& time_line, RegionOperations& operat
 QAction* ReviewController::make(const QString& text, const QString& key, const QString& help) {
   auto* action = new QAction(text, this);
   action->setShortcut(QKeySequence(key));
-  action->setToolTip(QStringLiteral("%1 (%2)").arg(help, key));
+  action->setToolTip(
+      QStringLiteral("%1 (%2)").arg(help, action->shortcut().toString(QKeySequence::NativeText)));
   return action;
 }
 
