@@ -21,7 +21,8 @@ constexpr int kStyles = 3;
 void setKeyInImage(QAction* action, const QString& key, const QString& help) {
   action->setShortcut(QKeySequence(key));
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  action->setToolTip(QStringLiteral("%1 (%2)").arg(help, key));
+  action->setToolTip(
+      QStringLiteral("%1 (%2)").arg(help, action->shortcut().toString(QKeySequence::NativeText)));
 }
 
 }  // namespace
