@@ -22,7 +22,8 @@ class ReviewCommandTest : public DemoScanTest {
   }
   [[nodiscard]] std::vector<std::string> frames() const {
     std::vector<std::string> numbers;
-    for (const Json& one : listed()["frames"]) numbers.push_back(std::to_string(one["frame"].get<int>()));
+    const Json all = listed();
+    for (const Json& one : all["frames"]) numbers.push_back(std::to_string(one["frame"].get<int>()));
     return numbers;
   }
   /// Numbers of images in a data set.

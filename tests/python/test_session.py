@@ -5,6 +5,7 @@ import sqlite3
 import struct
 import tempfile
 import unittest
+import uuid
 import zlib
 from pathlib import Path
 
@@ -22,6 +23,8 @@ ROOT = Path(__file__).resolve().parents[2]
 def write_schema(file, folder, extra=()):
     """A database with all steps of the schema in the folder, and its version."""
     connection = sqlite3.connect(file)
+    # The program replaces this name, see core/database/sql_dialect.h.
+    connection.create_function("random_uuid", 0, lambda: str(uuid.uuid4()))
     steps = sorted((ROOT / folder).glob("*.sql"))
     for step in steps:
         connection.executescript(step.read_text("utf-8"))
