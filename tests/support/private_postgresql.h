@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -74,7 +76,10 @@ class PrivatePostgresql {
     pid_t server = 0;
     std::ifstream(data() + "/postmaster.pid") >> server;
     ASSERT_GT(server, 1);
+    // Processes of its connections may answer once more, so they are killed with it.
+    const std::vector<pid_t> children = childrenOf(server);
     ::kill(server, SIGKILL);
+    for (const pid_t child : children) ::kill(child, SIGKILL);
     // Nobody may collect its exit status here, so that it seems to run to the next server.
     for (const char* lock : {"data/postmaster.pid", ".s.PGSQL.5432.lock", ".s.PGSQL.5432"})
       std::filesystem::remove(folder_ / lock);
@@ -97,6 +102,23 @@ class PrivatePostgresql {
   }
 
  private:
+  static std::vector<pid_t> childrenOf(pid_t parent) {
+    std::vector<pid_t> children;
+    for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+      const std::string name = process.path().filename();
+      if (!std::isdigit(static_cast<unsigned char>(name.front()))) continue;
+      std::ifstream file(process.path() / "stat");
+      std::string stat;  // "PID (NAME) STATE PARENT ..."
+      std::getline(file, stat);
+      const std::size_t end = stat.rfind(')');
+      if (end == std::string::npos) continue;
+      std::istringstream rest(stat.substr(end + 1));
+      char state = 0;
+      pid_t its_parent = 0;
+      if (rest >> state >> its_parent && its_parent == parent) children.push_back(std::stoi(name));
+    }
+    return children;
+  }
   [[nodiscard]] std::string data() const { return folder_ / "data"; }
   [[nodiscard]] std::string log() const {
     std::ostringstream text;
