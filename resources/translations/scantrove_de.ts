@@ -908,6 +908,29 @@
     </message>
 </context>
 <context>
+    <name>scantrove::GuideOpener</name>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Anleitung</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>Show the guide in the browser (Ctrl+F1)</source>
+        <translation>Die Anleitung im Browser zeigen (Strg+F1)</translation>
+    </message>
+    <message>
+        <source>The guide is not installed with this program. It is in the source as docs/guide/index.md; packaging/guide builds it.</source>
+        <translation>Die Anleitung ist mit diesem Programm nicht installiert. Sie liegt im Quelltext als docs/guide/index.md; packaging/guide erzeugt sie.</translation>
+    </message>
+    <message>
+        <source>No program shows the guide. Open this file with a browser: %1</source>
+        <translation>Kein Programm zeigt die Anleitung. Diese Datei mit einem Browser öffnen: %1</translation>
+    </message>
+</context>
+<context>
     <name>scantrove::HelpDialog</name>
     <message>
         <source>Keys and mouse</source>
@@ -1456,6 +1479,14 @@
     <message>
         <source>Enlarge it (twice: image mode)</source>
         <translation>Es vergrößern (doppelt: Bildmodus)</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>Show the guide in the browser</source>
+        <translation>Die Anleitung im Browser zeigen</translation>
     </message>
 </context>
 <context>
