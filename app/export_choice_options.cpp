@@ -11,7 +11,7 @@ namespace {
 
 CLI::Option* addNames(CLI::App& command, const std::string& name, std::vector<std::string>& target,
                       const std::string& help, const std::string& type) {
-  return command.add_option(name, target, help)->expected(1)->allow_extra_args(false)->type_name(type);
+  return command.add_option(name, target, help)->allow_extra_args(false)->type_name(type);
 }
 
 /// The shares of an option that was checked to be one.
