@@ -33,8 +33,11 @@ std::string openingMessage(const std::string& database) {
 /// Waits for at most half a minute.
 template <class Condition>
 bool becomesTrue(Condition&& condition) {
-  for (int i = 0; i < 3000 && !condition(); ++i) std::this_thread::sleep_for(10ms);
-  return condition();
+  for (int i = 0; i < 3000; ++i) {
+    if (condition()) return true;  // which may have changed something: it is not asked again
+    std::this_thread::sleep_for(10ms);
+  }
+  return false;
 }
 
 ObjectView viewFor(std::uint32_t key, int seed) {
