@@ -27,6 +27,7 @@ struct LabeledRegion {
   bool background = false;             ///< wall, floor, table
   bool rejected = false;               ///< "not an object"
   bool confirmed = false;              ///< the object, by a user
+  bool is_program_name = false;        ///< the name is the program's, for example Obj_4
   int voxels = 0;
   Eigen::AlignedBox3f box_world_m;
   Eigen::Vector3f centroid_world_m = Eigen::Vector3f::Zero();

@@ -55,7 +55,9 @@ RegionChoice chooseRegions(const std::vector<LabeledRegion>& all, bool backgroun
   return choice;
 }
 
-bool isNamed(const LabeledRegion& region) { return !region.name.empty() || !region.category.empty(); }
+bool isNamed(const LabeledRegion& region) {
+  return (!region.name.empty() && !region.is_program_name) || !region.category.empty();
+}
 
 std::string displayName(const LabeledRegion& region) {
   if (!region.name.empty()) return validUtf8(region.name);

@@ -19,7 +19,7 @@ struct RegionChoice {
 [[nodiscard]] RegionChoice chooseRegions(const std::vector<LabeledRegion>& all, bool background,
                                          const ExportChoices& choices);
 
-/// Whether a region has a name or a class.
+/// Whether a region has a class, or a name that a person gave.
 [[nodiscard]] bool isNamed(const LabeledRegion& region);
 
 /// The display name of a region: its name, else its category, else "object 7", "background", "rejected" or

@@ -55,6 +55,7 @@ Result<std::vector<LabeledRegion>> SessionScan::regions() {
     region.class_id = summary.label.class_id;
     if (summary.label.object) region.object = summary.label.object.value;
     region.confirmed = summary.label.confirmed;
+    region.is_program_name = !summary.label.is_named;
     region.background = summary.label.background;
     region.rejected = summary.label.rejected;
     region.voxels = static_cast<int>(summary.voxels);

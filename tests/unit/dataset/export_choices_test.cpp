@@ -51,6 +51,18 @@ TEST(ChooseRegions, TakesTheLabelsThatAreChosen) {
   EXPECT_THAT(idsIn(confirmed.unlabeled), ElementsAre(1, 3));
 }
 
+TEST(ChooseRegions, TakesNoNameOfTheProgramForALabel) {
+  std::vector<LabeledRegion> regions = someRegions();
+  regions[2].name = "Obj_8";
+  regions[2].is_program_name = true;
+  const auto named = chooseRegions(regions, false, {.labels = ExportedLabels::named});
+  EXPECT_THAT(idsIn(named.exported), ElementsAre(1, 2));
+  EXPECT_THAT(idsIn(named.unlabeled), ElementsAre(3));
+  regions[2].category = "cup";
+  const auto with_class = chooseRegions(regions, false, {.labels = ExportedLabels::named});
+  EXPECT_THAT(idsIn(with_class.exported), ElementsAre(1, 2, 3)) << "a person gave the class";
+}
+
 TEST(ChooseRegions, TakesTheClassesThatAreChosen) {
   const auto cups = chooseRegions(someRegions(), false, {.classes = {"cup"}});
   EXPECT_THAT(idsIn(cups.exported), ElementsAre(2));
