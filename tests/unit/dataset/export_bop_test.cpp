@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/texturing/depth_raster.h"
 #include "core/dataset/silhouette.h"
+#include "core/texturing/depth_raster.h"
 #include "tests/unit/dataset/exported.h"
 #include "tests/unit/dataset/ply_reader.h"
 
