@@ -52,7 +52,8 @@ void forEachPartOf(const fs::path& place, const std::function<void(const fs::pat
 
 void removePart(const fs::path& part) {
   const auto record = ExportRecord::read(part);
-  if (record && *record) {
+  if (!record) return;  // unreadable: it may be a data set of before, of which nobody can say what is ours
+  if (*record) {
     (*record)->removeFrom(part, StagedFolder::kMarker);
     return;
   }

@@ -123,7 +123,7 @@ TEST(ReconnectingSource, EndsWithAReason_WhenTheCameraStaysAway) {
 }
 
 // A plane whose depth grows to the right: z = d / (1 - s x) at the ray (x, y, 1).
-TEST(AdaptedFrame, HasTheDepthThatTheWantedCameraSees) {
+TEST(AdaptedFrame, HasTheDepthOfTheRequestedCamera) {
   const Intrinsics own{200, 200, 99.5F, 74.5F, 200, 150}, wanted{300, 300, 159.5F, 119.5F, 320, 240};
   const auto depthAt = [](const Intrinsics& K, int u) {
     return 2000.0 / (1 - 0.2 * static_cast<double>((static_cast<float>(u) - K.cx) / K.fx));
