@@ -221,7 +221,10 @@ void PaintController::resetMask(RegionId region) {
 }
 
 void PaintController::end(const Operation& operation) {
-  const auto found = std::ranges::find(pending_, operation, &Pending::operation);
+  // Edits end in the order in which they were sent. The scan completes what it stores of them, so that they
+  // are not equal to what was sent.
+  const auto found =
+      std::ranges::find(pending_, operation.kind, [](const Pending& one) { return one.operation.kind; });
   if (found != pending_.end()) pending_.erase(found);
 }
 
