@@ -279,6 +279,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
     listener_(CatalogueFailed{isAnotherCatalogue(*request.output_folder, request.database)});
   std::vector<std::string> damages;
   const bool for_camera = !request.refine_session;
+  if (for_camera) beginAnewWithoutMap();
   SCANTROVE_TRY(restoreScan(*parts_.pipeline, *session_, *earlier_, for_camera, damages));
   if (!isSameRecording()) parts_.pipeline->camera().forgetDevice();
   parts_.objects->restore(*earlier_);
@@ -286,7 +287,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
   parts_.recorder =
       SessionRecorder::resume(std::move(session_), *parts_.pipeline, *earlier_, request.record_all);
   SessionRecorder& recorder = *parts_.recorder;
-  recorder.rewriteFrom(on_disk, earlier_->metadata);
+  recorder.rewriteFrom(on_disk, *earlier_);
   if (request.refine_session) {
     RegionTable& table = parts_.pipeline->labels().table();
     for (const RegionId region : parts_.refinement.known) table.setKnown(region, true);
@@ -302,6 +303,14 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
   recorder.setMetadata("database", storedDatabaseName(request.database, *request.output_folder));
   if (parts_.output) parts_.output->begin(*earlier_);
   return {};
+}
+
+void ScanOpener::beginAnewWithoutMap() {
+  const int lost = loseFramesWithoutMap(*earlier_);
+  if (lost == 0) return;
+  listener_(MapFailed{{"The scan in " + parts_.request.output_folder->string() +
+                           " was interrupted before its map was stored. It begins anew with the next frame.",
+                       "To have its first frames as well, scan into a new folder."}});
 }
 
 void ScanOpener::continueNumbers(const std::vector<SavedFrame>& earlier) {

@@ -54,6 +54,8 @@ class ScanOpener {
   /// The earlier scan's object ids belong to another catalogue.
   [[nodiscard]] bool isOfAnotherCatalogue(const std::string& catalogue) const;
   [[nodiscard]] Result<void> restoreSession(ObjectDatabase& database);
+  /// Of a scan that was interrupted before its map was stored nothing is left to go on in.
+  void beginAnewWithoutMap();
   /// Frame numbers and times continue those of the earlier frames.
   void continueNumbers(const std::vector<SavedFrame>& earlier);
   void reportDamages(const std::vector<std::string>& damages) const;

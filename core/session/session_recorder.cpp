@@ -40,7 +40,7 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   if (!scan.frames.empty()) setup.frames = scan.frames.back().number + 1;
   for (const SavedKeyFrame& key : scan.key_frames) {
     const auto of = std::ranges::find(scan.frames, key.frame, &SavedFrame::number);
-    if (of == scan.frames.end()) continue;
+    if (of == scan.frames.end() || !of->isUsable()) continue;
     (key.color_file.empty() ? setup.without_color : setup.key_frames).takes(of->T_world_camera);
   }
   auto recorder = std::make_unique<SessionRecorder>(std::move(writer), std::move(setup));
@@ -79,10 +79,13 @@ Result<void> SessionRecorder::keepMetadata(const std::string& name, const std::s
   return writer_->flush();
 }
 
-void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SessionMetadata& now) {
+void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SavedScan& now) {
   regions_.clear();
   for (const SavedRegion& region : on_disk.regions) regions_[region.region] = region;
-  for (const auto& [name, value] : now) {
+  for (std::size_t i = 0; i < now.frames.size(); ++i) {
+    if (now.frames[i].state != on_disk.frames[i].state) frames_.push_back(now.frames[i]);
+  }
+  for (const auto& [name, value] : now.metadata) {
     const auto before = on_disk.metadata.find(name);
     if (before == on_disk.metadata.end() || before->second != value) setMetadata(name, value);
   }

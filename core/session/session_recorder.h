@@ -77,8 +77,9 @@ class SessionRecorder {
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
   [[nodiscard]] const std::map<RegionId, ObjectId>& objects() const { return objects_; }
   void setObjects(std::map<RegionId, ObjectId> objects) { objects_ = std::move(objects); }
-  /// On disk the session is as in `scan`, whatever resume() was given.
-  void rewriteFrom(const SavedScan& on_disk, const SessionMetadata& now);
+  /// On disk the session is as in `on_disk`, whatever resume() was given: regions, metadata and the states
+  /// of frames that `now` has differently are saved again. Both have the same frames.
+  void rewriteFrom(const SavedScan& on_disk, const SavedScan& now);
   /// Metadata to store with the next save.
   void setMetadata(const std::string& name, const std::string& value) { setup_.metadata[name] = value; }
   /// The same, stored immediately. Error: writing failed.

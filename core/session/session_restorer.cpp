@@ -190,6 +190,20 @@ Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& dam
   return scan;
 }
 
+int loseFramesWithoutMap(SavedScan& scan) {
+  // Fragments, regions and operations are saved with the pages.
+  if (!scan.pages.empty() || !scan.fragments.empty() || !scan.regions.empty() || !scan.operations.empty())
+    return 0;
+  int lost = 0;
+  for (SavedFrame& frame : scan.frames) {
+    if (!frame.isUsable()) continue;
+    frame.state = TrackingState::lost;
+    frame.T_world_camera.setIdentity();
+    ++lost;
+  }
+  return lost;
+}
+
 Result<void> restoreScan(MappingPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
                          bool for_camera, std::vector<std::string>& damages) {
   return guarded("reading the session back", [&]() -> Result<void> {
