@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/regular_file.h"
+#include "core/dataset/aligned_view.h"
 #include "core/dataset/frame_choice.h"
 #include "core/dataset/frame_fitness.h"
 #include "core/dataset/painted_masks.h"
@@ -143,9 +144,10 @@ Result<KeyFrameImage> readKeyFrameImage(LabeledScan& scan, const KeyFrameInfo& f
 
 Result<void> labelImage(LabeledScan& scan, KeyFrameImage& read, const std::unordered_set<int>& kept) {
   LabeledImage& image = read.image;
-  const auto map = scan.renderView(image.K, image.T_world_camera);
-  if (!map) return fail(map.error());
-  image.regions = refineRegions(*map, {image.depth_m, read.color}, std::max(image.K.fx, image.K.fy));
+  auto view = renderAligned(scan, image.K, image.T_world_camera, image.depth_m);
+  if (!view) return fail(view.error());
+  image.T_world_camera = view->T_world_camera;
+  image.regions = refineRegions(view->map, {image.depth_m, read.color}, std::max(image.K.fx, image.K.fy));
   applyPaintedMasks(scan.paintedMasks(image.frame.index), image.regions);
   keepOnly(image.regions, kept);
   return {};

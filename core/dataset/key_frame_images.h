@@ -39,7 +39,8 @@ struct KeyFrameImage {
 };
 /// Reads it without labels. Error: the frame is unusable; others may be usable.
 [[nodiscard]] Result<KeyFrameImage> readKeyFrameImage(LabeledScan& scan, const KeyFrameInfo& frame);
-/// Renders its labels from the map, with what a person painted; only those of `kept`. Error: the map.
+/// Renders its labels from the map, with what a person painted; only those of `kept`. Its pose becomes that
+/// at which the map fits its depth. Error: the map.
 [[nodiscard]] Result<void> labelImage(LabeledScan& scan, KeyFrameImage& read,
                                       const std::unordered_set<int>& kept);
 [[nodiscard]] std::unordered_set<int> idsOf(const std::vector<LabeledRegion>& regions);

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "core/dataset/aligned_view.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/image/png_encoder.h"
 
@@ -68,7 +69,12 @@ Result<MeshTextures> MeshTextures::make(ExportJob& job, const LabeledMesh& mesh,
   if (!frames) return fail(frames.error());
   TexturedScene scene{
       surfaceOf(mesh), {}, [&](std::size_t view) { return textureImage(job.scan(), (*frames)[view]); }};
-  for (const KeyFrameInfo& frame : *frames) scene.views.push_back({frame.K_color, frame.colorCameraPose()});
+  for (const KeyFrameInfo& frame : *frames) {
+    const auto T_world_color =
+        alignedPoseOf(job.scan(), frame, job.scan().depth(frame.index).value_or(cv::Mat()));
+    if (!T_world_color) return fail(T_world_color.error());
+    scene.views.push_back({frame.K_color, *T_world_color});
+  }
   const int size_px = std::clamp(job.options().texture_size_px, kMinTexture_px, kMaxTexture_px);
   std::vector<std::uint32_t> regions;
   for (const LabeledRegion& region : job.chosen()) {

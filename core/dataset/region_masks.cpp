@@ -22,6 +22,12 @@ constexpr float kSensorNoisePerMeter = 0.003F;
 /// A steep surface may differ by this many pixels of its slope, up to a maximum.
 constexpr float kSlope_px = 1.5F;
 constexpr float kMaxSlope_m = 0.03F;
+/// Maximum bias of a region's depth: a structured-light camera's grows with the distance.
+constexpr float kMaxBias_m = 0.01F, kMaxBiasPerMeter = 0.015F;
+constexpr std::size_t kMinBiasPixels = 30;
+/// Maximum size of a hole without depth, as a part of the region around it, and the least part of the hole
+/// that has no reading: through the handle of a mug the camera sees what is behind.
+constexpr float kMaxHole = 0.5F, kMinUnknown = 0.7F;
 /// Maximum error of the map's outlines: one and a half voxels, and the pose.
 constexpr float kOutlineError_m = 0.02F;
 constexpr int kMaxOutlineError_px = 16;
@@ -85,22 +91,60 @@ class OutlineRefiner {
         tolerance_m_(tolerances(map.depth_m)),
         search_(offsetsWithin(kMaxOutlineError_px)),
         depth_m_(measured.depth_m.clone()),
+        map_depth_m_(map.depth_m.clone()),
         regions_(map.regions.clone()) {}
 
   cv::Mat run() {
+    removeBias();
     alignToDepth();
     alignToColor();
     dropSmallComponents();
+    fillHoles();
     return regions_;
   }
 
  private:
   [[nodiscard]] bool agrees(int x, int y, float z) const {
-    const float map_z = map_.depth_m.at<float>(y, x);
+    const float map_z = map_depth_m_.at<float>(y, x);
     return map_z > 0 && std::abs(map_z - z) <= tolerance_m_.at<float>(y, x);
   }
   [[nodiscard]] bool isInside(int x, int y) const {
     return x >= 0 && y >= 0 && x < regions_.cols && y < regions_.rows;
+  }
+
+  /// A camera's depth differs from the map by more than noise over a whole region: distances are biased, and
+  /// the map is fused from nearer views. The median difference of a region belongs to it.
+  void removeBias() {
+    struct Differences {
+      std::vector<float> small;  // those that may be a bias
+      int all = 0;
+    };
+    std::unordered_map<int, Differences> by_region;
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        const float z = depth_m_.at<float>(y, x), map_z = map_depth_m_.at<float>(y, x);
+        if (!(z > 0) || !(map_z > 0)) continue;
+        Differences& here = by_region[regions_.at<int>(y, x)];
+        ++here.all;
+        if (std::abs(z - map_z) <= kMaxBias_m + kMaxBiasPerMeter * map_z) here.small.push_back(z - map_z);
+      }
+    }
+    std::unordered_map<int, float> bias_m;
+    for (auto& [region, differences] : by_region) {
+      std::vector<float>& small = differences.small;
+      // Where most of a region differs by more, something else hides it.
+      if (small.size() < kMinBiasPixels || 2 * static_cast<int>(small.size()) < differences.all) continue;
+      const auto middle = small.begin() + static_cast<std::ptrdiff_t>(small.size() / 2);
+      std::nth_element(small.begin(), middle, small.end());
+      bias_m[region] = *middle;
+    }
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        float& map_z = map_depth_m_.at<float>(y, x);
+        const auto found = map_z > 0 ? bias_m.find(regions_.at<int>(y, x)) : bias_m.end();
+        if (found != bias_m.end()) map_z += found->second;
+      }
+    }
   }
 
   void alignToDepth() {
@@ -172,6 +216,39 @@ class OutlineRefiner {
     }
   }
 
+  /// Where neither camera nor map has depth, as on a dark screen, what a region surrounds belongs to it.
+  void fillHoles() {
+    std::unordered_map<int, int> pixels;
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) ++pixels[regions_.at<int>(y, x)];
+    }
+    cv::Mat visited = regions_ != 0;
+    std::vector<cv::Point> hole;
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        if (visited.at<std::uint8_t>(y, x) != 0) continue;
+        const int around = collectPiece({x, y}, visited, hole);
+        if (!isFilled(hole, around, pixels[around])) continue;
+        for (const cv::Point& p : hole) regions_.at<int>(p) = around;
+      }
+    }
+  }
+
+  /// `hole`: connected pixels without a region; `region`: most of them border on it; it has `pixels`.
+  [[nodiscard]] bool isFilled(const std::vector<cv::Point>& hole, int region, int pixels) const {
+    if (region == 0 || static_cast<float>(hole.size()) > kMaxHole * static_cast<float>(pixels)) return false;
+    std::size_t unknown = 0;
+    for (const cv::Point& p : hole) {
+      if (p.x == 0 || p.y == 0 || p.x + 1 == regions_.cols || p.y + 1 == regions_.rows) return false;
+      for (const cv::Point& step : {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
+        const int next = regions_.at<int>(p + step);
+        if (next != 0 && next != region) return false;
+      }
+      if (!(depth_m_.at<float>(p) > 0)) ++unknown;
+    }
+    return static_cast<float>(unknown) >= kMinUnknown * static_cast<float>(hole.size());
+  }
+
   /// All connected pixels of `start`'s region, and the region that borders on most of them (its own if
   /// there is none).
   [[nodiscard]] int collectPiece(const cv::Point& start, cv::Mat& visited,
@@ -203,7 +280,8 @@ class OutlineRefiner {
   float focal_px_;
   cv::Mat tolerance_m_;
   std::vector<Offset> search_;
-  cv::Mat depth_m_;  // measured
+  cv::Mat depth_m_;      // measured
+  cv::Mat map_depth_m_;  // with each region's bias
   cv::Mat regions_;
 };
 

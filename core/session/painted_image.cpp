@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/dataset/aligned_view.h"
 #include "core/dataset/painted_masks.h"
 #include "core/pipeline/mapping_pipeline.h"
+#include "core/session/key_frame_files.h"
 #include "core/session/mask_corrections.h"
 #include "core/session/session_scan.h"
 
@@ -26,11 +28,14 @@ Result<std::optional<PaintedImage>> PaintedImage::of(OpenSession& session, const
   if (frame == nullptr || masks.empty()) return std::optional<PaintedImage>();
   const KeyFrameInfo info = SessionScan::infoOf(session, key_frame, *frame);
   const bool has_color = !info.color_file.empty();
-  const Eigen::Isometry3d T = has_color ? info.colorCameraPose() : info.T_world_depth;
+  SessionScan scan(session);
+  const Result<RgbdFrame> images = readKeyFrame(session.folder(), key_frame, *frame);
+  const auto T = alignedPoseOf(scan, info, images ? images->depth : cv::Mat());
+  if (!T) return fail(T.error());
   PaintedImage image;
   image.K_ = has_color ? info.K_color : info.K_depth;
-  image.T_camera_world_ = T.inverse().cast<float>();
-  Result<ViewOfMap> view = SessionScan(session).renderView(image.K_, T);
+  image.T_camera_world_ = T->inverse().cast<float>();
+  Result<ViewOfMap> view = scan.renderView(image.K_, *T);
   if (!view) return fail(view.error());
   applyPaintedMasks(masks, view->regions);
   image.regions_ = std::move(view->regions);

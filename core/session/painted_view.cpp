@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/dataset/aligned_view.h"
 #include "core/dataset/registered_depth.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/key_frame_files.h"
@@ -226,22 +227,25 @@ Result<std::optional<PaintedSurface>> paintedSurfaceOf(OpenSession& session, con
   }
   if (correction.this_image_only || paint.kind == OperationKind::unpaint)
     return std::optional<PaintedSurface>();
-  const Eigen::Isometry3d T = has_color ? info.colorCameraPose() : info.T_world_depth;
-  const auto view =
-      session.pipeline().readout().renderView(T, scaledDown(K, session.pipeline().workingIntrinsics()));
-  if (!view) return fail(view.error());
-  cv::Mat depth_m;
   KeyFrameInfo registered = info;
   if (!has_color) {
     registered.K_color = info.K_depth;
     registered.T_color_depth.setIdentity();
   }
   // Without its depth image, only the map hides surface.
+  cv::Mat depth, depth_m;
   if (const Result<RgbdFrame> images = readKeyFrame(session.folder(), *key, *frame)) {
     const bool is_of_camera =
         images->depth.cols == info.K_depth.width && images->depth.rows == info.K_depth.height;
-    if (is_of_camera) depth_m = registerDepth(registered, images->depth);
+    if (is_of_camera) depth = images->depth;
+    if (is_of_camera) depth_m = registerDepth(registered, depth);
   }
+  SessionScan scan(session);
+  const auto T = alignedPoseOf(scan, info, depth);
+  if (!T) return fail(T.error());
+  const auto view =
+      session.pipeline().readout().renderView(*T, scaledDown(K, session.pipeline().workingIntrinsics()));
+  if (!view) return fail(view.error());
   return std::optional(paintedSurface(*view, depth_m, paint.regions.front(), correction));
 }
 

@@ -57,6 +57,17 @@ TEST_F(BopExportTest, HasTheCameraOfTheColorImages) {
   EXPECT_EQ(exported().json("camera.json")["width"], 640);
 }
 
+TEST(BopExport, CorrectsAnErrorOfThePose) {
+  const Eigen::Vector3d error(0.012, -0.008, 0.01);
+  const Exported exported(DatasetFormat::bop, [&](ScannedScene& scene) { scene.faults.shift_m = error; });
+  const Json camera = exported.json("000001/scene_camera.json")["10"];
+  const Eigen::Isometry3d T_world_color =
+      Eigen::Translation3d(-error) * exported.scene.poseOf(10) * exported.scene.T_color_depth.inverse();
+  const Eigen::Isometry3d T = T_world_color.inverse();
+  EXPECT_LT((matrixOf(camera["cam_R_w2c"]) - T.linear()).norm(), 0.01) << "half a degree";
+  EXPECT_LT((vectorOf(camera["cam_t_w2c"]) - 1000 * T.translation()).norm(), 4) << "mm, of 17";
+}
+
 TEST_F(BopExportTest, HasUprightCenteredModelsInMillimeters) {
   const Json infos = exported().json("models/models_info.json");
   const PlyFile box(exported().text("models/obj_000012.ply"));

@@ -22,6 +22,7 @@ struct SmallScene : ScannedScene {
     K_depth = K_depth.resizedTo(80, 60);
     K_color = K_color.resizedTo(160, 120);
     frames = 2;
+    faults.shift_m.setZero();  // one view of the map for each frame
   }
 };
 
@@ -37,6 +38,8 @@ struct Exported {
 
   explicit Exported(DatasetFormat format, const std::function<void(ScannedScene&)>& change = {},
                     bool background = false) {
+    // An error of a pose is corrected, and exported poses with it: see BopExport.CorrectsAnErrorOfThePose.
+    scene.faults.shift_m.setZero();
     if (change) change(scene);
     const auto result =
         exportDataset(scene, {.format = format, .folder = home / "out", .background = background});

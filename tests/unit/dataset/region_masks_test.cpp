@@ -136,6 +136,50 @@ TEST(RefineRegions, KeepsTheMap_WithoutDepth) {
   EXPECT_LT(cv::countNonZero(regions != refined.map.regions), 0.001 * static_cast<double>(regions.total()));
 }
 
+/// A plane at 2 m with one region in the middle of another.
+struct FlatView {
+  ViewOfMap map{cv::Mat(120, 160, CV_32SC1, cv::Scalar(1)), cv::Mat(120, 160, CV_32FC1, cv::Scalar(2))};
+  MeasuredView measured{cv::Mat(120, 160, CV_32FC1, cv::Scalar(2)), {}};
+  static constexpr float kFocal_px = 130;
+  static inline const cv::Rect kPatch{40, 30, 80, 60};
+
+  FlatView() { map.regions(kPatch) = 2; }
+  [[nodiscard]] cv::Mat refined() const { return refineRegions(map, measured, kFocal_px); }
+};
+
+TEST(RefineRegions, KeepsARegionWhoseDepthIsBiased) {
+  FlatView view;
+  view.measured.depth_m(FlatView::kPatch) = 2.035F;  // more than the noise of map and camera at 2 m
+  EXPECT_EQ(cv::countNonZero(view.refined() != view.map.regions), 0);
+}
+
+TEST(RefineRegions, LeavesOutWhatHidesARegion) {
+  FlatView view;
+  const cv::Rect hand(60, 40, 40, 30);
+  view.measured.depth_m(hand) = 1.5F;
+  const cv::Mat regions = view.refined();
+  EXPECT_EQ(cv::countNonZero(regions(hand) != 0), 0);
+  EXPECT_EQ(regions.at<int>(35, 45), 2);
+}
+
+TEST(RefineRegions, FillsAHoleThatNoDepthShows) {
+  FlatView view;
+  const cv::Rect screen(60, 40, 30, 20);
+  view.map.regions(screen) = 0;
+  view.map.depth_m(screen) = 0;
+  view.measured.depth_m(screen) = 0;
+  EXPECT_EQ(cv::countNonZero(view.refined()(FlatView::kPatch) != 2), 0);
+}
+
+TEST(RefineRegions, LeavesAHoleThatTheCameraSeesThrough) {
+  FlatView view;
+  const cv::Rect handle(60, 40, 30, 20);
+  view.map.regions(handle) = 0;
+  view.map.depth_m(handle) = 0;
+  view.measured.depth_m(handle) = 2.6F;
+  EXPECT_EQ(cv::countNonZero(view.refined()(handle) != 0), 0);
+}
+
 TEST(Silhouette, IncludesOccludedParts) {
   ScannedScene scene;
   const KeyFrameInfo frame = scene.keyFrames(false)->front();
