@@ -95,7 +95,8 @@ void SeamLeveling::sample(ViewNumber view, const cv::Mat& image) {
   for (const std::uint32_t node : seam_nodes_) {
     if (charts_[nodes_[node].chart].view != view) continue;
     if (reduced.empty())
-      cv::resize(image, reduced, {projection.K().width, projection.K().height}, 0, 0, cv::INTER_AREA);
+      cv::resize(image, reduced, {projection.intrinsics().width, projection.intrinsics().height}, 0, 0,
+                 cv::INTER_AREA);
     const Eigen::Vector3f& position = viewed_.surface.positions_m[nodes_[node].vertex];
     colors_.row(node) = bilinearColor(reduced, projection.pixelOf(position));
   }

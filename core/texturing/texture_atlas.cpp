@@ -186,9 +186,10 @@ FaceTexture TextureAtlas::cellOf(std::size_t number) const {
   if (plan_.cell_px > 1) {
     const auto per_row = static_cast<std::size_t>(plan_.size.width / plan_.cell_px);
     const auto side = static_cast<std::size_t>(plan_.cell_px);
+    const std::size_t row = number / per_row, column = number % per_row;
     const Eigen::Vector2f first(
-        static_cast<float>(side * (number % per_row)),
-        static_cast<float>(static_cast<std::size_t>(plan_.first_cell_row) + side * (number / per_row)));
+        static_cast<float>(side * column),
+        static_cast<float>(static_cast<std::size_t>(plan_.first_cell_row) + side * row));
     const auto length = static_cast<float>(plan_.cell_px - 2);
     return {first, first + Eigen::Vector2f(length, 0), first + Eigen::Vector2f(0, length)};
   }
@@ -198,9 +199,9 @@ FaceTexture TextureAtlas::cellOf(std::size_t number) const {
   unsigned color = 0;
   for (int i = 0; i < 3; ++i) color = color << kPaletteBits | static_cast<unsigned>(mean[i]) >> kPaletteShift;
   const auto width = static_cast<unsigned>(plan_.size.width);
-  const Eigen::Vector2f texel(
-      static_cast<float>(color % width),
-      static_cast<float>(static_cast<unsigned>(plan_.first_cell_row) + color / width));
+  const unsigned row = color / width, column = color % width;
+  const Eigen::Vector2f texel(static_cast<float>(column),
+                              static_cast<float>(static_cast<unsigned>(plan_.first_cell_row) + row));
   return {texel, texel, texel};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -37,7 +38,7 @@ class ViewProjection {
       : T_camera_world_(view.T_world_camera.inverse().cast<float>()), K_(scaled(view.K, scale)) {}
 
   /// The camera of the resized image.
-  [[nodiscard]] const Intrinsics& K() const { return K_; }
+  [[nodiscard]] const Intrinsics& intrinsics() const { return K_; }
   [[nodiscard]] Eigen::Vector3f inCamera(const Eigen::Vector3f& p_world) const {
     return T_camera_world_ * p_world;
   }
@@ -52,7 +53,7 @@ class ViewProjection {
   /// `K` for an image resized by `scale`, at least one pixel wide and high.
   [[nodiscard]] static Intrinsics scaled(const Intrinsics& K, double scale) {
     const auto resized = [scale](int length) {
-      return length * scale < 1 ? 1 : static_cast<int>(length * scale + 0.5);
+      return length * scale < 1 ? 1 : static_cast<int>(std::lround(length * scale));
     };
     return K.resizedTo(resized(K.width), resized(K.height));
   }

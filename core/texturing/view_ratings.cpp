@@ -38,7 +38,7 @@ class ShownSurface {
 
   ShownSurface(const TextureSurface& surface, const TextureView& view, const cv::Mat& image)
       : surface_(surface), projection_(view, std::min(1.0, double{kMaxWidth_px} / view.K.width)) {
-    const Intrinsics& K = projection_.K();
+    const Intrinsics& K = projection_.intrinsics();
     cv::resize(image, image_, {K.width, K.height}, 0, 0, cv::INTER_AREA);
     points_.reserve(surface.positions_m.size());
     for (const Eigen::Vector3f& p : surface.positions_m) points_.push_back(projection_.inCamera(p));
@@ -72,7 +72,7 @@ class ShownSurface {
   [[nodiscard]] Place placeOf(const Eigen::Vector3f& p) const {
     if (!(p.z() > 0.01F)) return Place::hidden;
     const Eigen::Vector2f uv = projection_.pixel(p);
-    const Intrinsics& K = projection_.K();
+    const Intrinsics& K = projection_.intrinsics();
     const float rim = kRim * static_cast<float>(K.width);
     const bool is_inside = uv.x() > rim && uv.y() > rim && uv.x() < static_cast<float>(K.width - 1) - rim &&
                            uv.y() < static_cast<float>(K.height - 1) - rim;
