@@ -43,25 +43,6 @@ std::set<std::pair<RegionId, RegionId>> joinedBy(const OperationLog::Entry& entr
   return joined;
 }
 
-UserLabel userLabelOf(const RegionNote& note) {
-  if (!note.name.empty() || note.object) return UserLabel::object;
-  return note.background || note.rejected ? UserLabel::background : UserLabel::nothing;
-}
-
-/// The note of a region that another one joined: a name or a category that it lacks comes from there.
-RegionNote joinedNote(const RegionNote& into, const RegionNote& from) {
-  if (into == RegionNote{}) return from;
-  RegionNote note = into;
-  if (note.background || note.rejected || from.background || from.rejected) return note;
-  if (note.name.empty()) {
-    note.name = from.name;
-    if (!from.category.empty()) note.category = from.category;
-  } else if (note.category.empty()) {
-    note.category = from.category;
-  }
-  return note;
-}
-
 }  // namespace
 
 Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& given, const LabelingParams& params,
@@ -117,29 +98,9 @@ Result<void> RegionEditor::run(Work& work) {
 }
 
 Result<void> RegionEditor::note(Work& work) {
-  const Operation& operation = work.operation;
-  for (const RegionId region : operation.regions) {
-    RegionNote note = notes_.of(region);
-    if (operation.kind == OperationKind::background) {
-      note.background = operation.on;
-    } else if (operation.kind == OperationKind::object) {
-      // A region unmarked as an object is left out of lists and data sets, even if the program found it.
-      note.object = operation.on;
-      note.rejected = !operation.on;
-      if (operation.on) note.background = false;
-    } else if (operation.kind == OperationKind::reject) {
-      note.rejected = operation.on;
-      if (operation.on) note.object = false;
-    } else {
-      note.name = operation.name;
-      note.category = operation.category;
-      note.rejected = false;
-      // A named region is an object, so that data sets hold what the catalogue holds.
-      if (!operation.name.empty()) note.background = false;
-    }
-    write(work, region, note);
-  }
-  work.outcome.regions = operation.regions;
+  for (const RegionId region : work.operation.regions)
+    write(work, region, notedBy(work.operation, notes_.of(region)));
+  work.outcome.regions = work.operation.regions;
   return {};
 }
 
@@ -253,31 +214,18 @@ Result<void> RegionEditor::coarser(Work& work) {
 }
 
 Result<void> RegionEditor::paint(Work& work) {
-  const Operation& operation = work.operation;
-  RegionId region = operation.regions.front();
-  const bool is_paint = operation.kind == OperationKind::paint;
-  const MaskCorrection correction = operation.correction.value_or(MaskCorrection{});
-  if (operation.regions.size() != 1 || !operation.correction ||
-      (is_paint && correction.added.isEmpty() && correction.removed.isEmpty()))
-    return fail("Nothing is painted for " + called(region) + ".", "Paint at least one pixel for one region.");
-  if (is_paint && correction.makes_region && work.painted == nullptr)
-    return fail("A new region cannot be in one image alone.", "Paint it in all images.");
   work.before.clear();  // the painter knows them
   RegionPainter painter(editable());
-  if (is_paint && work.painted != nullptr) {
-    if (correction.makes_region)
-      SCANTROVE_TRY(moveInto(region, painter.create(*work.painted, work.effect, work.outcome.events)));
-    painter.paint(region, *work.painted, work.effect, work.outcome.events);
-    work.effect.moves = painter.moves();
-    for (const auto& [into, from] : work.outcome.events.joined) {
-      if (notes_.of(into) == RegionNote{}) write(work, into, notes_.of(from));
-    }
+  RegionId region;
+  SCANTROVE_TRY(
+      moveInto(region, painter.apply(work.operation, work.painted, work.effect, work.outcome.events)));
+  for (const auto& [into, from] : work.outcome.events.joined) {
+    if (notes_.of(into) == RegionNote{}) write(work, into, notes_.of(from));
   }
   work.outcome.regions = {region};
   for (const RegionId changed : painter.changed()) {
     if (changed != region && exists(changed)) work.outcome.regions.push_back(changed);
   }
-  work.effect.anchor = editable().largestOf(table_.fragmentsOf(region));
   return {};
 }
 

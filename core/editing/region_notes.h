@@ -2,7 +2,8 @@
 #include <map>
 #include <string>
 
-#include "core/base/ids.h"
+#include "core/editing/operation.h"
+#include "core/labeling/region_table.h"
 
 namespace scantrove {
 
@@ -15,6 +16,15 @@ struct RegionNote {
 
   bool operator==(const RegionNote&) const = default;
 };
+
+/// What the note says about the region, for the mapping.
+[[nodiscard]] UserLabel userLabelOf(const RegionNote& note);
+
+/// The note after a name, accept, background, object or reject; other operations do not change it.
+[[nodiscard]] RegionNote notedBy(const Operation& operation, RegionNote note);
+
+/// The note of a region that another one joined: a name or a category that it lacks comes from there.
+[[nodiscard]] RegionNote joinedNote(const RegionNote& into, const RegionNote& from);
 
 /// The notes of all regions. A region that no longer exists keeps its note, because an undo may restore it.
 /// One thread.

@@ -49,7 +49,33 @@ struct BorderSum {
   int edges = 0;
 };
 
+/// Error: a paint or an unpaint does not say which pixels of which region it concerns.
+Result<void> checkComplete(const Operation& operation) {
+  const bool has_pixels = operation.correction && (operation.kind == OperationKind::unpaint ||
+                                                   !operation.correction->added.isEmpty() ||
+                                                   !operation.correction->removed.isEmpty());
+  if (operation.regions.size() == 1 && has_pixels) return {};
+  return fail("Nothing is painted for region " + std::to_string(operation.regions.front().value) + ".",
+              "Paint at least one pixel for one region.");
+}
+
 }  // namespace
+
+Result<RegionId> RegionPainter::apply(const Operation& operation, const PaintedSurface* painted,
+                                      OperationEffect& effect, RegionEvents& events) {
+  SCANTROVE_TRY(checkComplete(operation));
+  RegionId region = operation.regions.front();
+  if (operation.kind == OperationKind::paint) {
+    const bool makes_region = operation.correction->makes_region;
+    if (makes_region && painted == nullptr)
+      return fail("A new region cannot be in one image alone.", "Paint it in all images.");
+    if (makes_region) SCANTROVE_TRY(moveInto(region, create(*painted, effect, events)));
+    if (painted != nullptr) paint(region, *painted, effect, events);
+    effect.moves = moves();
+  }
+  effect.anchor = regions_.largestOf(regions_.table().fragmentsOf(region));
+  return region;
+}
 
 void RegionPainter::paint(RegionId region, const PaintedSurface& painted, OperationEffect& effect,
                           RegionEvents& events) {

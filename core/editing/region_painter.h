@@ -19,20 +19,15 @@ class RegionPainter {
  public:
   explicit RegionPainter(EditableRegions regions) : regions_(regions) {}
 
-  /// Adds to `effect` the constraints and new regions, and to `events` the changes. Surface below the
-  /// resolution of the painting changes nothing.
-  void paint(RegionId region, const PaintedSurface& painted, OperationEffect& effect, RegionEvents& events);
-
-  /// Makes the surface that paint() would move from one region a region of its own, from the region that the
-  /// added pixels show most of; paint() of the new region then adds the others. Error: the added pixels show
-  /// no part of a region, but all of one or nothing. Then nothing changes.
-  [[nodiscard]] Result<RegionId> create(const PaintedSurface& painted, OperationEffect& effect,
-                                        RegionEvents& events);
+  /// Carries out a paint or an unpaint. Adds to `effect` moves, constraints, new regions and the anchor, and
+  /// to `events` the changes. `painted` null: corrects the image alone, as does an unpaint. Returns the
+  /// painted region, which may be new. On an error nothing changes: several regions, no pixels, no surface
+  /// for a new region. Once for each painter.
+  [[nodiscard]] Result<RegionId> apply(const Operation& operation, const PaintedSurface* painted,
+                                       OperationEffect& effect, RegionEvents& events);
 
   /// Regions that lost or gained fragments, ascending.
   [[nodiscard]] const std::set<RegionId>& changed() const { return changed_; }
-  /// Moves of fragments from their regions before paint().
-  [[nodiscard]] std::vector<RegionMove> moves() const;
 
  private:
   using Fragments = EditableRegions::Fragments;
@@ -50,6 +45,18 @@ class RegionPainter {
     Seeds seeds;
     Extent extent = Extent::none;
   };
+
+  /// Adds to `effect` the constraints and new regions, and to `events` the changes. Surface below the
+  /// resolution of the painting changes nothing.
+  void paint(RegionId region, const PaintedSurface& painted, OperationEffect& effect, RegionEvents& events);
+
+  /// Makes the surface that paint() would move from one region a region of its own, from the region that the
+  /// added pixels show most of; paint() of the new region then adds the others. Error: the added pixels show
+  /// no part of a region, but all of one or nothing. Then nothing changes.
+  [[nodiscard]] Result<RegionId> create(const PaintedSurface& painted, OperationEffect& effect,
+                                        RegionEvents& events);
+  /// Moves of fragments from their regions before apply().
+  [[nodiscard]] std::vector<RegionMove> moves() const;
 
   [[nodiscard]] Shown shownOf(RegionId region, std::span<const Eigen::Vector3f> places,
                               const PaintedSurface& painted) const;
@@ -74,7 +81,7 @@ class RegionPainter {
   [[nodiscard]] Eigen::Vector3f centerOf(const SurfaceVoxel& voxel) const;
 
   EditableRegions regions_;
-  OperationEffect* effect_ = nullptr;  // both only during paint()
+  OperationEffect* effect_ = nullptr;  // both only during apply()
   RegionEvents* events_ = nullptr;
   std::map<FragmentId, RegionId> before_;
   std::set<RegionId> changed_;
