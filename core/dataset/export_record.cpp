@@ -9,6 +9,7 @@
 #include "core/base/checksum.h"
 #include "core/base/regular_file.h"
 #include "core/dataset/staged_folder.h"
+#include "core/dataset/staged_remains.h"
 #include "core/exchange/atomic_file.h"
 
 namespace scantrove {
@@ -114,7 +115,7 @@ Result<void> ExportRecord::checkUnchanged(const fs::path& folder) const {
   for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
     const fs::path name = entry->path().lexically_relative(folder);
-    if (name == kFile || name == StagedFolder::kMarker) continue;
+    if (name == kFile || (name == StagedFolder::kMarker && hasOurMarker(folder))) continue;
     std::error_code unknown;
     if (entry->symlink_status(unknown).type() == fs::file_type::directory) {
       if (!folders.contains(name)) return refuse(entry->path(), "was not made by the last export");
@@ -132,7 +133,7 @@ Result<void> ExportRecord::checkUnchanged(const fs::path& folder) const {
   return {};
 }
 
-bool ExportRecord::removeFrom(const fs::path& folder, const fs::path& extra) const {
+bool ExportRecord::removeFrom(const fs::path& folder) const {
   std::error_code ignored;
   std::set<fs::path> folders;  // a parent before what it holds
   for (const auto& [name, file] : files_) {
@@ -146,11 +147,11 @@ bool ExportRecord::removeFrom(const fs::path& folder, const fs::path& extra) con
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
        entry.increment(ignored)) {
     const fs::path name = entry->path().filename();
-    rest += name == kFile || name == extra ? 0 : 1;
+    rest += name == kFile || (name == StagedFolder::kMarker && hasOurMarker(folder)) ? 0 : 1;
   }
   if (ignored || rest > 0) return false;
   fs::remove(folder / kFile, ignored);
-  fs::remove(folder / extra, ignored);
+  removeOurMarker(folder);
   return fs::remove(folder, ignored);
 }
 

@@ -41,12 +41,12 @@ class ExportRecord {
   [[nodiscard]] Result<void> writeTo(const std::filesystem::path& folder) const;
 
   /// Error: `folder` has a file that is not recorded or that was changed, or a folder without recorded files;
-  /// names it. The marker of a staged folder may be there, and files may be missing.
+  /// names it. Our marker of a staged folder may be there (hasOurMarker), and files may be missing.
   [[nodiscard]] Result<void> checkUnchanged(const std::filesystem::path& folder) const;
 
-  /// Removes recorded files that are unchanged, the record, `extra` (a file name), and folders that are empty
-  /// then. Returns whether all of `folder` is gone.
-  bool removeFrom(const std::filesystem::path& folder, const std::filesystem::path& extra) const;
+  /// Removes recorded files that are unchanged, the record, our marker, and folders that are empty then.
+  /// Returns whether all of `folder` is gone.
+  bool removeFrom(const std::filesystem::path& folder) const;
 
  private:
   [[nodiscard]] bool isUnchanged(const std::filesystem::path& file, const File& recorded) const;

@@ -187,12 +187,12 @@ Result<void> StagedFolder::replace() {
   // it if this program is killed. In the place the marker means nothing.
   if (!writeStagedMarker(place_, stagedMarkerOf(path_))) return cannotMake(place_, systemReason(errno));
   if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) {
-    ::unlink((place_ / kMarker).c_str());
+    removeOurMarker(place_);
     removeOld(path_);
     return {};
   }
   const int code = errno;
-  ::unlink((place_ / kMarker).c_str());
+  removeOurMarker(place_);
   if (code != EINVAL && code != ENOSYS && code != ENOTSUP) return cannotMake(place_, systemReason(code));
   return replaceInSteps();
 }
@@ -206,13 +206,13 @@ Result<void> StagedFolder::replaceInSteps() {
       writeStagedMarker(place_, replacedMarkerOf(*aside)) && ::rename(place_.c_str(), aside->c_str()) == 0;
   if (!is_aside) {
     const int code = errno;
-    ::unlink((place_ / kMarker).c_str());
+    removeOurMarker(place_);
     fs::remove(*aside, ignored);
     return cannotMake(place_, systemReason(code));
   }
   if (auto renamed = rename(); !renamed) {
     fs::rename(*aside, place_, ignored);
-    ::unlink((place_ / kMarker).c_str());
+    removeOurMarker(place_);
     return renamed;
   }
   removeOld(*aside);
@@ -220,9 +220,9 @@ Result<void> StagedFolder::replaceInSteps() {
 }
 
 void StagedFolder::removeOld(const fs::path& folder) {
-  if (replaced_->removeFrom(folder, kMarker)) return;
+  if (replaced_->removeFrom(folder)) return;
   // What others put there in the last moment is theirs: without the marker it stays.
-  ::unlink((folder / kMarker).c_str());
+  removeOurMarker(folder);
   left_over_ = folder;
 }
 

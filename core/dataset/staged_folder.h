@@ -11,7 +11,8 @@ namespace scantrove {
 
 /// A folder that is created atomically: it is filled as `FOLDER.part-XXXXXX` beside its destination and
 /// renamed. Without a commit this object removes it. The next program for the same destination removes the
-/// remains of a killed one, if they have our marker file and no running program has locked them.
+/// remains of a killed one, if they have our marker file and no running program has locked them. The content
+/// tells our marker from a user's file of its name (hasOurMarker), which is never overwritten or removed.
 class StagedFolder {
  public:
   /// The marker's file name; no finished folder contains it.

@@ -16,7 +16,15 @@ inline constexpr std::size_t kStagedLetters = 6;
 /// That of an old data set that was moved to `part`, until the new one is in its place.
 [[nodiscard]] std::string replacedMarkerOf(const std::filesystem::path& part);
 
-/// Writes a marker, in place of an earlier one. False: it failed; errno says why.
+/// Whether the marker in `folder` is one that this program wrote, for whichever folder. A file that only has
+/// its name is a user's.
+[[nodiscard]] bool hasOurMarker(const std::filesystem::path& folder);
+
+/// Removes the marker, if it is one of ours.
+void removeOurMarker(const std::filesystem::path& folder);
+
+/// Writes a marker, in place of an earlier one of ours. False: it failed; errno says why (EEXIST: a file of
+/// somebody else has its name).
 [[nodiscard]] bool writeStagedMarker(const std::filesystem::path& folder, const std::string& text);
 
 /// An open descriptor of a folder, to lock it; -1: there is none.

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "core/dataset/staged_folder.h"
 #include "tests/unit/dataset/exported.h"
 
 namespace scantrove::test {
@@ -86,6 +87,48 @@ TEST_F(ReplacedDatasetTest, RefusesChangedFiles) {
   EXPECT_EQ(readText(home_ / "out/labels.json"), other);
   home_.write("out/labels.json", text);
   EXPECT_TRUE(write()) << "it is as the export wrote it again";
+}
+
+// Files of a user that are called like the marker of unfinished exports.
+TEST_F(ReplacedDatasetTest, RefusesAFileOfTheMarkersName_WhenItIsNotTheMarker) {
+  const std::string marker = StagedFolder::kMarker;
+  const std::string ours =
+      "Scantrove has not finished this folder. The next export to the same place removes ";
+  for (const std::string& text :
+       {std::string(), std::string("mine"), ours + "out.\n", ours + "out.part-abc123.\nmine\n",
+        ours + "out.part-abc123", ours + "a/out.part-abc123.\n", ours + ".part-abc123.\n",
+        ours + "out.part-abc-23.\n", "mine\n" + ours + "out.part-abc123.\n", std::string(1 << 20, 'x')}) {
+    home_.write("out/" + marker, text);
+    expectRefused(write(), marker);
+    EXPECT_EQ(readText(home_ / "out" / marker), text);
+  }
+  fs::remove(home_ / "out" / marker);
+  fs::create_symlink("labels.json", home_ / "out" / marker);
+  expectRefused(write(), marker);
+  EXPECT_TRUE(fs::is_symlink(home_ / "out" / marker));
+  fs::remove(home_ / "out" / marker);
+  EXPECT_TRUE(write());
+}
+
+// A program that was killed right before it moved the old data set has left its marker there.
+TEST_F(ReplacedDatasetTest, IsReplaced_WhenItHasOurMarker) {
+  for (const char* text :
+       {"Scantrove has not finished this folder. The next export to the same place removes "
+        "out.part-abc123.\n",
+        "Scantrove was replacing this data set. The next export to the same place restores "
+        "or removes out.part-abc123.\n"}) {
+    home_.write("out/.scantrove-unfinished", text);
+    const auto written = write();
+    ASSERT_TRUE(written) << written.error().message();
+    EXPECT_FALSE(fs::exists(home_ / "out/.scantrove-unfinished"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(home_.path()), fs::directory_iterator()), 1);
+  }
+}
+
+TEST_F(ReplacedDatasetTest, KeepsAFileOfTheMarkersName_WhenItComesDuringTheExport) {
+  scene_.on_render = [&](int) { home_.write("out/.scantrove-unfinished", "mine"); };
+  expectRefused(write(), ".scantrove-unfinished");
+  EXPECT_EQ(readText(home_ / "out/.scantrove-unfinished"), "mine");
 }
 
 TEST_F(ReplacedDatasetTest, RefusesALinkInPlaceOfAFile) {
