@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/overloaded.h"
+#include "core/editing/operation.h"
 #include "ui/bridge/scan_port.h"
 
 namespace scantrove::test {
@@ -31,6 +32,11 @@ class ScriptedWorker {
   void report(const ScanEvent& event) { listener_(event); }
   void report(ScanSnapshot snapshot) {
     snapshots_.post(std::make_shared<const ScanSnapshot>(std::move(snapshot)));
+  }
+  /// Answers the newest edit as a scan that has stored it. An operation is completed as a scan completes it:
+  /// its names are checked and it has the number of frames before it, so it is not equal to what was sent.
+  void storeEdit(std::vector<RegionId> regions = {}) {
+    report(Edited{completed(edits.back()), std::move(regions)});
   }
   void finish() {
     report(ScanFinished{});
@@ -83,6 +89,14 @@ class ScriptedWorker {
     } else {
       enter(last_request.start_paused ? ScanState::paused : ScanState::scanning);
     }
+  }
+  static ScanEdit completed(const ScanEdit& edit) {
+    constexpr int kFramesBefore = 31;
+    const auto* const operation = std::get_if<Operation>(&edit);
+    if (operation == nullptr) return edit;
+    Operation stored = withCheckedNames(*operation).value_or(*operation);
+    stored.frame = kFramesBefore;
+    return stored;
   }
   void enter(ScanState state) { listener_(StateChanged{state}); }
   void note(const char* command, ScanState state) {

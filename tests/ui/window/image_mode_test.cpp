@@ -190,16 +190,53 @@ TEST_F(ImageModeTest, AStrokePaintsExactlyItsPixels_AndUndoRestoresThem) {
   EXPECT_EQ(differing(painting().regions(), painted), 0);
 
   const std::size_t labeled = worker_->key_frames_labeled.size();
-  worker_->report(Edited{paint, {RegionId{7}}});
+  worker_->storeEdit({RegionId{7}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return worker_->key_frames_labeled.size() > labeled; }, kPatience_ms));
   label(painted);
   EXPECT_EQ(differing(painting().regions(), painted), 0);
 
   window_->parts().actions->undo->trigger();
   ASSERT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits.back()));
-  worker_->report(Edited{UndoEdit{}, {RegionId{7}}});
+  worker_->storeEdit({RegionId{7}});
   label(halves());
   EXPECT_EQ(differing(painting().regions(), halves()), 0);
+}
+
+TEST_F(ImageModeTest, CtrlZLeavesNoDraft_WhenTheScanHasStoredTheStroke) {
+  zoomTo({320, 240});
+  selection().select(RegionId{7});
+  QTest::keyClick(&canvas(), Qt::Key_P);
+  stroke(on(300, 240), on(330, 250));
+  ASSERT_NE(lastOperation(), nullptr);
+  cv::Mat painted = halves();
+  painted.setTo(7, lastOperation()->correction->added.mask());
+  worker_->storeEdit({RegionId{7}});
+  label(painted);
+  ASSERT_EQ(differing(painting().regions(), painted), 0);
+  QTest::keyClick(&canvas(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits.back()));
+  worker_->storeEdit({RegionId{7}});
+  label(halves());
+  EXPECT_EQ(differing(painting().regions(), halves()), 0) << "what the scan has, without a draft over it";
+}
+
+// Both strokes are sent before the scan answers the first.
+TEST_F(ImageModeTest, KeepsTheDraftOfTheSecondStroke_WhenTheFirstIsStored) {
+  zoomTo({320, 240});
+  selection().select(RegionId{7});
+  QTest::keyClick(&canvas(), Qt::Key_P);
+  stroke(on(300, 220), on(310, 220));
+  stroke(on(300, 260), on(310, 260));
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  const cv::Mat first = std::get<Operation>(worker_->edits[0]).correction->added.mask();
+  const cv::Mat second = std::get<Operation>(worker_->edits[1]).correction->added.mask();
+  worker_->storeEdit({RegionId{7}});  // one answer
+  cv::Mat stored = halves();
+  stored.setTo(7, first);
+  label(stored);
+  cv::Mat shown = stored.clone();
+  shown.setTo(7, second);
+  EXPECT_EQ(differing(painting().regions(), shown), 0);
 }
 
 TEST_F(ImageModeTest, AStrokePaintsTheRegionUnderItsFirstPixel) {
@@ -288,7 +325,7 @@ TEST_F(ImageModeTest, ANewRegionIsSelected_WhenTheScanHasMadeIt) {
   EXPECT_TRUE(paint.correction->makes_region);
   EXPECT_EQ(paint.regions, std::vector{RegionId{5}});
   EXPECT_EQ(differing(paint.correction->removed.mask(), paint.correction->added.mask() == 0), 0);
-  worker_->report(Edited{paint, {RegionId{7}, RegionId{5}}});
+  worker_->storeEdit({RegionId{7}, RegionId{5}});
   EXPECT_TRUE(QTest::qWaitFor([&] { return selection().isSelected(RegionId{7}); }, kPatience_ms));
 }
 

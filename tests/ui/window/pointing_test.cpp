@@ -133,7 +133,7 @@ TEST_F(PointingTest, TwoClicksCutARegion_AndEscapeUndoesIt) {
   // x = (u - 160) * 1.5 / 290 at u = 0.1 and 0.4 of 320 pixels
   EXPECT_NEAR(lastOperation()->here_world[0].x(), (32 - 160) * 1.5 / 290, 0.01);
   EXPECT_NEAR(lastOperation()->there_world[0].x(), (128 - 160) * 1.5 / 290, 0.01);
-  worker_->report(Edited{worker_->edits.back(), {RegionId{5}, RegionId{9}}});
+  worker_->storeEdit({RegionId{5}, RegionId{9}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return selection().selected().size() == 2; }, kPatience_ms));
   QTest::keyClick(panel(0), Qt::Key_Escape);
   ASSERT_EQ(worker_->edits.size(), 2U);
