@@ -1,11 +1,22 @@
 #include "ui/models/object_filter.h"
 
+#include <QLocale>
 #include <algorithm>
 
 namespace scantrove {
+namespace {
+
+/// The user's; a collator of the C locale compares bytes.
+QLocale sortingLocale() {
+  const QLocale locale;
+  return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
+}
+
+}  // namespace
 
 ObjectFilter::ObjectFilter(ObjectListModel& model, QObject* parent)
-    : QSortFilterProxyModel(parent), model_(model) {
+    : QSortFilterProxyModel(parent), model_(model), collator_(sortingLocale()) {
+  collator_.setNumericMode(true);
   setSourceModel(&model_);
 }
 
@@ -75,12 +86,12 @@ bool ObjectFilter::lessThan(const QModelIndex& left, const QModelIndex& right) c
     case Order::newest:
       return a.record.id > b.record.id;
     case Order::name:
-      return a.name_key < b.name_key;
+      return collator_.compare(a.name_key, b.name_key) < 0;
     case Order::object_class: {
       // Objects without class are last.
       if (a.class_key.isEmpty() != b.class_key.isEmpty()) return b.class_key.isEmpty();
-      const int order = a.class_key.compare(b.class_key);
-      return order != 0 ? order < 0 : a.name_key < b.name_key;
+      const int order = collator_.compare(a.class_key, b.class_key);
+      return order != 0 ? order < 0 : collator_.compare(a.name_key, b.name_key) < 0;
     }
     case Order::views:
       return a.record.views > b.record.views;

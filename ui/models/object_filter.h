@@ -1,4 +1,5 @@
 #pragma once
+#include <QCollator>
 #include <QSortFilterProxyModel>
 #include <QString>
 
@@ -7,7 +8,8 @@
 namespace scantrove {
 
 /// The rows of the object list that a user wants to see, in the order wanted. Compares prepared lower-case
-/// text of ObjectListModel::rows(), and rearranges the list at once, so that it answers quickly.
+/// text of ObjectListModel::rows(), and rearranges the list at once, so that it answers quickly. Text is
+/// sorted as in the user's language, numbers in it by their value: "chair 2" before "chair 10".
 class ObjectFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -53,6 +55,7 @@ class ObjectFilter : public QSortFilterProxyModel {
   Shown shown_ = Shown::all;
   ClassId class_id_;
   Order order_ = Order::oldest;
+  QCollator collator_;
 };
 
 }  // namespace scantrove

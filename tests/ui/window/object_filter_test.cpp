@@ -93,6 +93,22 @@ TEST_F(ObjectFilterTest, Sorts_AndKeepsTheOrderAfterARename) {
   EXPECT_THAT(shown(), ElementsAre(objects_[0], objects_[1], objects_[2]));
 }
 
+TEST_F(ObjectFilterTest, SortsNumbersByTheirValue) {
+  ASSERT_TRUE(editor_.rename(objects_[0], QStringLiteral("Chair 10")));
+  ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("chair 9")));
+  ASSERT_TRUE(editor_.rename(objects_[2], QStringLiteral("chair 2")));
+  filter_.setOrder(Order::name);
+  EXPECT_THAT(shown(), ElementsAre(objects_[2], objects_[1], objects_[0]));
+}
+
+TEST_F(ObjectFilterTest, SortsAccentsBesideTheirLetters) {
+  ASSERT_TRUE(editor_.rename(objects_[0], QStringLiteral("zebra")));
+  ASSERT_TRUE(editor_.rename(objects_[1], QString::fromUtf8("\u00e9tag\u00e8re")));
+  ASSERT_TRUE(editor_.rename(objects_[2], QStringLiteral("bowl")));
+  filter_.setOrder(Order::name);
+  EXPECT_THAT(shown(), ElementsAre(objects_[2], objects_[1], objects_[0])) << "bytes would put z before e";
+}
+
 TEST_F(ObjectFilterTest, OnlyUnnamedObjectsAreNew) {
   for (const ObjectId object : objects_) model_.markAdded(object);
   EXPECT_FALSE(model_.indexOf(objects_[0]).data(ObjectListModel::AddedNowRole).toBool());
