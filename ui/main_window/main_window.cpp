@@ -10,7 +10,6 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "core/project/opened_path.h"
 #include "ui/main_window/coverage_guide.h"
@@ -34,6 +33,7 @@
 #include "ui/painting/image_mode.h"
 #include "ui/painting/image_page.h"
 #include "ui/panels/color_panel.h"
+#include "ui/panels/floating_bars.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/message_bar.h"
@@ -121,7 +121,6 @@ void MainWindow::makeCenter() {
   work->addWidget(parts_.image);
   work->addWidget(parts_.scene);
   center_->addWidget(work);
-  layout->addWidget(parts_.messages);
   layout->addWidget(center_, 1);
   parts_.time_line = new TimeLine;
   layout->addWidget(parts_.time_line);
@@ -250,13 +249,10 @@ void MainWindow::connectRegions() {
   connect(parts_.image_mode, &ImageMode::cameraShown, parts_.scene->view(), &SceneView::lookFromCamera);
   const RegionActions& on_regions = regions_->actions();
   auto* proposals = new ProposalBar(regions_->operations().proposals(), on_regions.accept,
-                                    on_regions.accept_all, on_regions.not_this);
-  centralWidget()->layout()->addWidget(proposals);
-  // Suggestions take the place of the next steps, so that the views do not move.
-  const int height = std::max(proposals->sizeHint().height(), parts_.next_steps->sizeHint().height());
-  for (QWidget* bar : {static_cast<QWidget*>(proposals), static_cast<QWidget*>(parts_.next_steps)})
-    bar->setFixedHeight(height);
-  connect(proposals, &ProposalBar::shownChanged, parts_.next_steps, &NextStepStrip::setCovered);
+                                    on_regions.accept_all, on_regions.not_this, centralWidget());
+  auto* bars = new FloatingBars(*center_);
+  bars->add(*parts_.messages);
+  bars->add(*proposals);
   regions_->naming().setCatalogue([this] { return editor_.catalogue(); });
   connect(parts_.time_line, &TimeLine::requested, &bridge,
           [&bridge](int index) { bridge.post(ShowKeyFrame{index}); });

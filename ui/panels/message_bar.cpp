@@ -1,5 +1,6 @@
 #include "ui/panels/message_bar.h"
 
+#include <QColor>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -10,6 +11,16 @@
 #include "ui/theme/theme.h"
 
 namespace scantrove {
+namespace {
+
+/// `color` with an opacity of 0 ... 255 over `base`. The bar lies over the view, so it is opaque.
+QColor colorOver(const QColor& base, const QColor& color, int alpha) {
+  const auto mixed = [alpha](int below, int above) { return (above * alpha + below * (255 - alpha)) / 255; };
+  return {mixed(base.red(), color.red()), mixed(base.green(), color.green()),
+          mixed(base.blue(), color.blue())};
+}
+
+}  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), picture_(new QLabel), label_(new QLabel), button_(new QPushButton) {
@@ -78,16 +89,9 @@ void MessageBar::paintKind() {
       kind_ == Kind::error ? colors.bad : (kind_ == Kind::warning ? colors.warning : colors.info);
   picture_->setPixmap(
       icon(kind_ == Kind::info ? QStringLiteral("info") : QStringLiteral("warning"), color).pixmap(20, 20));
-  QColor fill = color;
-  fill.setAlpha(colors.dark ? 40 : 28);
-  setStyleSheet(
-      QStringLiteral(
-          "#messageBar { background: rgba(%1,%2,%3,%4); border: none; border-bottom: 1px solid %5; }")
-          .arg(fill.red())
-          .arg(fill.green())
-          .arg(fill.blue())
-          .arg(fill.alpha())
-          .arg(color.name()));
+  const QColor fill = colorOver(colors.surface, color, colors.dark ? 40 : 28);
+  setStyleSheet(QStringLiteral("#messageBar { background: %1; border: none; border-top: 1px solid %2; }")
+                    .arg(fill.name(), color.name()));
 }
 
 }  // namespace scantrove

@@ -8,7 +8,7 @@ class QPushButton;
 
 namespace scantrove {
 
-/// A message at the top of the window; does not block it. Hidden while there is none.
+/// A message over the lower edge of the view; does not block the window. Hidden while there is none.
 class MessageBar : public QFrame {
   Q_OBJECT
 

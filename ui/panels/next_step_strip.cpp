@@ -40,14 +40,7 @@ void NextStepStrip::beginScan() {
   updateVisibility();
 }
 
-void NextStepStrip::setCovered(bool is_covered) {
-  is_covered_ = is_covered;
-  updateVisibility();
-}
-
-void NextStepStrip::updateVisibility() {
-  setVisible(is_active_ && !is_closed_ && !is_covered_ && !steps_.empty());
-}
+void NextStepStrip::updateVisibility() { setVisible(is_active_ && !is_closed_ && !steps_.empty()); }
 
 void NextStepStrip::showSteps(const std::vector<NextStep>& steps) {
   if (steps != steps_) {

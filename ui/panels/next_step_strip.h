@@ -18,8 +18,6 @@ class NextStepStrip : public QFrame {
   void showSteps(const std::vector<NextStep>& steps);
   /// Hides it until the next showSteps(), also if it was closed.
   void beginScan();
-  /// Hides it while something else takes its place.
-  void setCovered(bool is_covered);
   /// Texts of the buttons, in order.
   [[nodiscard]] QStringList texts() const;
 
@@ -32,7 +30,7 @@ class NextStepStrip : public QFrame {
 
   QHBoxLayout* steps_row_;
   std::vector<NextStep> steps_;
-  bool is_active_ = false, is_closed_ = false, is_covered_ = false;
+  bool is_active_ = false, is_closed_ = false;
 };
 
 }  // namespace scantrove

@@ -33,9 +33,7 @@ QString ProposalBar::text() const { return text_->text(); }
 
 void ProposalBar::update() {
   const Proposal* const first = proposals_.first();
-  const bool was_shown = isShown();
   setVisible(first != nullptr);
-  if (was_shown != isShown()) emit shownChanged(isShown());
   if (first == nullptr) return;
   const auto others = proposals_.open().size() - 1;
   QString text = tr("Is this a “%1” too? (%2)").arg(first->name, reasonOf(*first));

@@ -18,12 +18,6 @@ class ProposalBar : public QFrame {
               QWidget* parent = nullptr);
   [[nodiscard]] QString text() const;
 
-  /// Whether there are suggestions. isVisible() also depends on the window.
-  [[nodiscard]] bool isShown() const { return !isHidden(); }
-
- signals:
-  void shownChanged(bool is_shown);
-
  private:
   void update();
 

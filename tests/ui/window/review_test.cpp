@@ -106,22 +106,6 @@ TEST_F(ReviewTest, StripVanishes_WhenTheScanIsClosed) {
   EXPECT_FALSE(strip()->isVisible());
 }
 
-TEST_F(ReviewTest, SuggestionsTakeThePlaceOfTheNextSteps_WithoutMovingTheViews) {
-  const int height = view()->height();
-  RegionAppearance style;
-  style.size_m = {0.4F, 0.4F, 0.8F};
-  RegionProposals& proposals = window_->regions().operations().proposals();
-  proposals.propose(RegionId{5}, QStringLiteral("chair"), {}, {{RegionId{5}, style}, {RegionId{7}, style}});
-  ASSERT_NE(proposals.first(), nullptr);
-  EXPECT_FALSE(strip()->isVisible());
-  QCoreApplication::processEvents();
-  EXPECT_EQ(view()->height(), height);
-  worker_->report(Edited{UndoEdit{}, {}});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return strip()->isVisible(); }, kPatience_ms));
-  QCoreApplication::processEvents();
-  EXPECT_EQ(view()->height(), height);
-}
-
 TEST_F(ReviewTest, LateAnswerSuggestsNothing_WhenTheScanIsClosed) {
   Operation naming;
   naming.kind = OperationKind::name;
