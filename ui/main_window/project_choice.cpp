@@ -8,6 +8,7 @@
 #include "core/database/server_address.h"
 #include "core/session/session_list.h"
 #include "core/session/session_setup.h"
+#include "core/session/session_store.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/models/catalogue_editor.h"
 
@@ -166,12 +167,11 @@ void ProjectChoice::showChosen() {
 
 void ProjectChoice::showCatalogueOf(const QString& session_folder) {
   const std::filesystem::path folder = session_folder.toStdString();
+  const SessionMetadata metadata = readSessionMetadata(folder);
+  if (metadata.empty() && SessionStore::isSession(folder)) return;  // opening it reports the damage
   SessionSetup setup;
-  for (const SessionSummary& scan : listSessions(folder)) {
-    if (scan.folder != folder) continue;
-    if (!scan.damage.empty()) return;  // opening it reports the damage
-    setup.database = scan.database;
-  }
+  if (const auto database = metadata.find("database"); database != metadata.end())
+    setup.database = database->second;
   const QString file = QString::fromStdString(databaseFileOf(setup, folder).string());
   if (file.isEmpty()) return editor_.close();
   if (!mayExist(file)) {

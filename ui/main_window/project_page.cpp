@@ -1,14 +1,12 @@
 #include "ui/main_window/project_page.h"
 
 #include <QFileInfo>
-#include <QFuture>
-#include <QPromise>
-#include <QThreadPool>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "core/session/session_list.h"
+#include "ui/main_window/background_reading.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/saved_scan_list.h"
 #include "ui/main_window/scan_controller.h"
@@ -38,18 +36,14 @@ ProjectPage::ProjectPage(MainWindow& window) : QObject(&window), window_(window)
 }
 
 void ProjectPage::refresh() {
-  const auto promise = std::make_shared<QPromise<std::vector<SavedScanEntry>>>();
-  promise->start();
-  QThreadPool::globalInstance()->start([promise, folder = window_.controller().scansFolder()] {
-    promise->addResult(savedScansIn(folder));
-    promise->finish();
-  });
   const int number = ++reading_;
-  promise->future().then(this, [this, number](const std::vector<SavedScanEntry>& scans) {
-    if (number != reading_) return;  // another project or a change followed meanwhile
-    window_.parts().start->savedScans()->setScans(scans);
-    emit shown();
-  });
+  readInBackground(
+      this, [folder = window_.controller().scansFolder()] { return savedScansIn(folder); },
+      [this, number](const std::vector<SavedScanEntry>& scans) {
+        if (number != reading_) return;  // another project or a change followed meanwhile
+        window_.parts().start->savedScans()->setScans(scans);
+        emit shown();
+      });
 }
 
 void ProjectPage::perform(const QString& folder, SavedScanAction action) {

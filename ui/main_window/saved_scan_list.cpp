@@ -68,6 +68,15 @@ std::vector<SavedScanEntry> savedScansIn(const QString& folder) {
   return scans;
 }
 
+QStringList savedScanNamesIn(const QString& folder) {
+  QStringList names;
+  for (const SessionSummary& scan : listSessions(folder.toStdString())) {
+    if (scan.damage.empty()) names << QString::fromStdString(scan.name);
+  }
+  names.sort();
+  return names;
+}
+
 DeleteScan::DeleteScan(const QString& folder, std::function<void()> done, Fail fail)
     : QUndoCommand(scantrove::SavedScansPanel::tr("Delete the scan %1").arg(QFileInfo(folder).fileName())),
       folder_(folder),

@@ -1,5 +1,6 @@
 #pragma once
 #include <QString>
+#include <QStringList>
 #include <QUndoCommand>
 #include <functional>
 #include <vector>
@@ -11,6 +12,10 @@ namespace scantrove {
 /// List entries of the sessions in a folder, newest first, with their thumbnails. Reads summary rows, not
 /// whole sessions. Any thread.
 [[nodiscard]] std::vector<SavedScanEntry> savedScansIn(const QString& folder);
+
+/// The names of the sessions in a folder that can be read, sorted. As savedScansIn() it reads every summary,
+/// which takes long in a large project. Any thread.
+[[nodiscard]] QStringList savedScanNamesIn(const QString& folder);
 
 /// Undo step that moves a scan to the desktop's trash.
 class DeleteScan : public QUndoCommand {

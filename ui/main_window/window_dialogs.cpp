@@ -3,12 +3,14 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPointer>
 #include <QStandardPaths>
 
 #include "core/project/project.h"
-#include "core/session/session_list.h"
+#include "ui/main_window/background_reading.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/project_choice.h"
+#include "ui/main_window/saved_scan_list.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/panels/camera_dialog.h"
 #include "ui/panels/class_dialog.h"
@@ -108,12 +110,13 @@ void WindowDialogs::showClasses() {
 void WindowDialogs::offerProject() {
   const auto project = projectOfScan(window_.controller().sessionFolder().toStdString());
   if (!project) return;
-  QStringList names;
-  for (const SessionSummary& scan : listSessions(project->scansFolder())) {
-    if (scan.damage.empty()) names << QString::fromStdString(scan.name);
-  }
-  names.sort();
-  export_->setProject(QString::fromStdString(project->name), names);
+  readInBackground(
+      this,
+      [folder = QString::fromStdString(project->scansFolder().string())] { return savedScanNamesIn(folder); },
+      [dialog = QPointer<ExportDialog>(export_),
+       name = QString::fromStdString(project->name)](const QStringList& scans) {
+        if (dialog != nullptr) dialog->setProject(name, scans);
+      });
 }
 
 void WindowDialogs::showHelp() {

@@ -39,7 +39,7 @@ class WindowDialogs : public QObject {
  private:
   /// Where the dialogs for projects begin.
   [[nodiscard]] QString projectsFolder() const;
-  /// Tells the export dialog the project of the open scan.
+  /// Tells the export dialog the project of the open scan, when its scans are read.
   void offerProject();
 
   MainWindow& window_;

@@ -191,6 +191,7 @@ void ExportDialog::setProject(const QString& name, const QStringList& scans) {
   project_ = name;
   project_.replace(QLatin1Char('/'), QLatin1Char('-'));  // it becomes part of a path
   scans_->setScans(scans);
+  if (isVisible()) resize(size().expandedTo(sizeHint()));  // the panel of scans has appeared
 }
 
 QSize ExportDialog::sizeHint() const {

@@ -1,14 +1,18 @@
 #include "ui/main_window/project_page.h"
 
+#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
+#include <filesystem>
 
 #include "core/session/session_store.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/window_dialogs.h"
+#include "ui/panels/export_dialog.h"
+#include "ui/panels/export_scans_panel.h"
 #include "ui/panels/start_page.h"
 
 namespace scantrove {
@@ -103,6 +107,28 @@ TEST_F(ProjectPageTest, ExportOpensTheScanFirst) {
   EXPECT_EQ(window_->dialogs().exportDialog(), nullptr);
   worker_->report(ReviewOpened{});
   EXPECT_TRUE(QTest::qWaitFor([&] { return window_->dialogs().exportDialog() != nullptr; }, kReading_ms));
+}
+
+TEST_F(ProjectPageTest, ExportOffersTheScansOfTheProject_WhenTheyAreRead) {
+  makeScan(QStringLiteral("second"));
+  makeScan(QStringLiteral("first"));
+  std::filesystem::create_directories((project_ + QStringLiteral("/scans/damaged")).toStdString());
+  QFile damaged(project_ + QStringLiteral("/scans/damaged/session.sqlite"));
+  ASSERT_TRUE(damaged.open(QIODevice::WriteOnly));
+  damaged.write("no database");
+  damaged.close();
+  window_->openSession(project_ + QStringLiteral("/scans/first"));
+  worker_->report(ReviewOpened{});
+  window_->dialogs().showExport();
+  window_->dialogs().showExport();  // the dialog of the first reading is gone when it ends
+  const auto* const scans = window_->dialogs().exportDialog()->findChild<ExportScansPanel*>();
+  ASSERT_NE(scans, nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return scans->isVisible(); }, kReading_ms));
+  EXPECT_EQ(scans->scans(), (std::vector<std::string>{"first", "second"})) << "a damaged one is left out";
+  window_->dialogs().showExport();
+  window_->dialogs().closeExport();
+  QTest::qWait(200);
+  EXPECT_EQ(window_->dialogs().exportDialog(), nullptr);
 }
 
 TEST_F(ProjectPageTest, ContinuedScanGoesOnInItsSession_WithItsCatalogue) {
