@@ -24,7 +24,7 @@ class ProjectScanTest : public testing::Test {
 
   [[nodiscard]] std::vector<std::string> scanList(const std::vector<std::string>& options) const {
     std::vector<std::string> words =
-        command({"project", "scan", project_, "--list", list_, "--frames", "40", "--skip-refinement"});
+        command({"project", "scan", project_, "--list", list_, "--frames", frames_, "--skip-refinement"});
     words.insert(words.end(), options.begin(), options.end());
     return words;
   }
@@ -59,6 +59,7 @@ class ProjectScanTest : public testing::Test {
   TemporaryFolder folder_;
   std::string project_ = folder_ / "project";
   std::string list_;
+  std::string frames_ = "40";  ///< enough to interrupt a scan
 };
 
 TEST_F(ProjectScanTest, ScansEachOnce_WhenInterruptedAndStartedAgain) {
@@ -82,6 +83,7 @@ TEST_F(ProjectScanTest, ScansEachOnce_WhenInterruptedAndStartedAgain) {
 }
 
 TEST_F(ProjectScanTest, ScansEachOnce_WhenTwoProgramsShareAList) {
+  frames_ = "12";
   ChildProcess first(scanList({})), second(scanList({}));
   EXPECT_LE(first.wait(), 1);
   EXPECT_LE(second.wait(), 1);
@@ -112,6 +114,7 @@ TEST_F(ProjectScanTest, NamesAKilledScan_AndContinuesWithTheOthers) {
 }
 
 TEST_F(ProjectScanTest, TakesItsShareOfTheList) {
+  frames_ = "12";
   const Finished run = runProgram(scanList({"--task", "3/3", "--json"}));
   const auto summary = jsonOf(run);
   ASSERT_EQ(summary["recordings"].size(), 1U);

@@ -109,6 +109,7 @@ TEST_F(CatalogueEditsTest, ScanKeepsEditsMadeDuringIt) {
 
 TEST_F(CatalogueEditsTest, PausedScanShowsEdits) {
   ScanRequest requested = table("paused.sqlite");
+  requested.skip_refinement = true;
   worker_.post(StartScan{requested});
   ASSERT_FALSE(awaitObjects(4).empty());
   worker_.post(PauseScan{});

@@ -281,10 +281,10 @@ class JoinAndCutTest : public testing::Test {
 };
 
 TEST_F(JoinAndCutTest, AreKeptToTheEnd_AndWhenTheScanResumes) {
-  ASSERT_NO_FATAL_FAILURE(scanAndEdit(60));
+  ASSERT_NO_FATAL_FAILURE(scanAndEdit(40));
   expectApplied();
   ScanWorker worker([&](const ScanEvent& event) { log_.add(event); });
-  ScanRequest more = request(60, 30);
+  ScanRequest more = request(40, 15);
   more.resume = true;
   worker.post(StartScan{more});
   worker.wait();
@@ -303,6 +303,7 @@ TEST_F(JoinAndCutTest, CutIsUndone_AfterMoreFrames) {
   ScanWorker worker([&](const ScanEvent& event) { log_.add(event); });
   ScanRequest requested = request(0, 40);
   requested.start_paused = true;
+  requested.skip_refinement = true;
   worker.post(StartScan{requested});
   for (int i = 0; i < kEditedAfter; ++i) worker.post(StepScan{});
   const auto snapshot = snapshotAfter(worker, kEditedAfter);
