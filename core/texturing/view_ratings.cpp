@@ -77,7 +77,7 @@ class ShownSurface {
     const bool is_inside = uv.x() > rim && uv.y() > rim && uv.x() < static_cast<float>(K.width - 1) - rim &&
                            uv.y() < static_cast<float>(K.height - 1) - rim;
     if (!is_inside) return Place::hidden;
-    const int x = static_cast<int>(uv.x() + 0.5F), y = static_cast<int>(uv.y() + 0.5F);
+    const auto x = static_cast<int>(std::lround(uv.x())), y = static_cast<int>(std::lround(uv.y()));
     if (p.z() > depth_m_.at<float>(y, x) + kOcclusion_m + kOcclusionPerMeter * p.z()) return Place::hidden;
     const bool is_beside = p.z() > nearest_m_.at<float>(y, x) + kBeside_m + kBesidePerMeter * p.z();
     return is_beside ? Place::beside_nearer : Place::clear;
@@ -106,7 +106,8 @@ class ShownSurface {
       of_map += Eigen::Vector3f(rgb[0], rgb[1], rgb[2]) / 3;
     }
     const Eigen::Vector2f uv = projection_.pixel(middle);
-    const auto& bgr = image_.at<cv::Vec3b>(static_cast<int>(uv.y() + 0.5F), static_cast<int>(uv.x() + 0.5F));
+    const auto& bgr =
+        image_.at<cv::Vec3b>(static_cast<int>(std::lround(uv.y())), static_cast<int>(std::lround(uv.x())));
     const float difference = (of_map - Eigen::Vector3f(bgr[2], bgr[1], bgr[0])).norm() / kColorDifference;
     return 1 / (1 + difference * difference);
   }
