@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,8 +36,9 @@ class ScriptedWorker {
   }
   /// Answers the newest edit as a scan that has stored it. An operation is completed as a scan completes it:
   /// its names are checked and it has the number of frames before it, so it is not equal to what was sent.
-  void storeEdit(std::vector<RegionId> regions = {}) {
-    report(Edited{completed(edits.back()), std::move(regions)});
+  void storeEdit(std::vector<RegionId> regions = {}) { storeEdit(edits.size() - 1, std::move(regions)); }
+  void storeEdit(std::size_t number, std::vector<RegionId> regions) {
+    report(Edited{completed(edits.at(number)), std::move(regions)});
   }
   void finish() {
     report(ScanFinished{});

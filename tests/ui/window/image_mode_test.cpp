@@ -230,7 +230,7 @@ TEST_F(ImageModeTest, KeepsTheDraftOfTheSecondStroke_WhenTheFirstIsStored) {
   ASSERT_EQ(worker_->edits.size(), 2U);
   const cv::Mat first = std::get<Operation>(worker_->edits[0]).correction->added.mask();
   const cv::Mat second = std::get<Operation>(worker_->edits[1]).correction->added.mask();
-  worker_->storeEdit({RegionId{7}});  // one answer
+  worker_->storeEdit(0, {RegionId{7}});
   cv::Mat stored = halves();
   stored.setTo(7, first);
   label(stored);
