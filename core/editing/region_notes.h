@@ -9,7 +9,7 @@ namespace scantrove {
 
 /// A person's labels of a region.
 struct RegionNote {
-  std::string name, category;
+  std::string name = {}, category = {};
   bool background = false;
   bool object = false;    ///< marked as an object, complete or not
   bool rejected = false;  ///< marked as no object
