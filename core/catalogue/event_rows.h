@@ -16,6 +16,8 @@ inline constexpr const char* kSessionEnd = "session-end";
 inline constexpr const char* kAdd = "add";
 inline constexpr const char* kAddView = "add-view";
 inline constexpr const char* kDiscardViews = "leave-behind";
+inline constexpr const char* kDifferent = "different";
+inline constexpr const char* kDifferentUndone = "different-undone";
 }  // namespace action
 
 /// One row of `events`; empty JSON objects are stored as null.

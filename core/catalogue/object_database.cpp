@@ -110,6 +110,7 @@ ObjectDatabase::ObjectDatabase(std::unique_ptr<DatabaseConnection> connection, i
       sessions_(*connection_, version >= kFirstWithCameras),
       views_(*connection_),
       classes_(*connection_),
+      differences_(*connection_),
       has_identity_(version >= kFirstWithIdentity),
       has_classes_(version >= kFirstWithClasses) {}
 

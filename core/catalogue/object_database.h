@@ -11,6 +11,7 @@
 #include "core/catalogue/catalogue_classes.h"
 #include "core/catalogue/catalogue_model.h"
 #include "core/catalogue/catalogue_sessions.h"
+#include "core/catalogue/different_objects.h"
 #include "core/catalogue/object_record.h"
 #include "core/catalogue/view_store.h"
 
@@ -59,6 +60,7 @@ class ObjectDatabase {
   [[nodiscard]] CatalogueSessions& sessions() { return sessions_; }
   [[nodiscard]] ViewStore& views() { return views_; }
   [[nodiscard]] CatalogueClasses& classes() { return classes_; }
+  [[nodiscard]] DifferentObjects& differences() { return differences_; }
 
   [[nodiscard]] Result<std::vector<ObjectRecord>> objects();
   [[nodiscard]] Result<ObjectRecord> object(ObjectId id);
@@ -114,6 +116,7 @@ class ObjectDatabase {
   CatalogueSessions sessions_;
   ViewStore views_;
   CatalogueClasses classes_;
+  DifferentObjects differences_;
   bool has_identity_;
   bool has_classes_;
 };

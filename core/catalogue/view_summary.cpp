@@ -40,9 +40,9 @@ ViewSummary summarize(const ObjectView& view) {
   return summary;
 }
 
-cv::Mat listPicture(const cv::Mat& color, const cv::Mat& mask) {
+cv::Mat listPicture(const cv::Mat& color, const cv::Mat& mask, int longest_side) {
   if (color.empty()) return {};
-  const double scale = static_cast<double>(kListPictureSide) / std::max(color.cols, color.rows);
+  const double scale = static_cast<double>(longest_side) / std::max(color.cols, color.rows);
   cv::Mat small_color = color, weight(color.size(), CV_8UC1, cv::Scalar(255));
   if (!mask.empty()) weight = mask > 0;
   if (scale < 1) {

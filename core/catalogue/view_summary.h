@@ -22,9 +22,10 @@ struct ViewSummary {
 /// Uses the view's own descriptor if it has one. `flawOf(view)` must be empty.
 [[nodiscard]] ViewSummary summarize(const ObjectView& view);
 
-/// A small BGR picture of a view, its longest side at most kListPictureSide; the background is dimmed to
-/// set off the object.
+/// A BGR picture of a view, its longest side at most `longest_side`; the background is dimmed to set off the
+/// object.
 inline constexpr int kListPictureSide = 128;
-[[nodiscard]] cv::Mat listPicture(const cv::Mat& color, const cv::Mat& mask);
+[[nodiscard]] cv::Mat listPicture(const cv::Mat& color, const cv::Mat& mask,
+                                  int longest_side = kListPictureSide);
 
 }  // namespace scantrove
