@@ -8,11 +8,12 @@
 
 namespace scantrove {
 
-/// A point of a region's surface, with its colour if known.
+/// A point of a region's surface, with its colour and its normal if known.
 struct AppearancePoint {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< metres
   std::array<std::uint8_t, 3> rgb{};                   ///< sRGB
   bool has_color = false;
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, out of the surface; zero: unknown
 };
 
 /// Size and colours of a region, for finding similar ones.

@@ -164,6 +164,18 @@
         <source>Rename “%1” to “%2”</source>
         <translation>„%1“ in „%2“ umbenennen</translation>
     </message>
+    <message>
+        <source>Remove the answer to “%1”</source>
+        <translation>Antwort auf „%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>Answer “%1” with “%2”</source>
+        <translation>„%1“ mit „%2“ beantworten</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are different</source>
+        <translation>„%1“ und „%2“ sind verschieden</translation>
+    </message>
 </context>
 <context>
     <name>RegionNames</name>
@@ -189,6 +201,57 @@
     <message>
         <source>The same %1: “%2”</source>
         <translation>Dasselbe Objekt der Klasse %1: „%2“</translation>
+    </message>
+</context>
+<context>
+    <name>scantrove::AlikeList</name>
+    <message>
+        <source>Perhaps the same object</source>
+        <translation>Vielleicht dasselbe Objekt</translation>
+    </message>
+    <message>
+        <source>Comparing with the other objects…</source>
+        <translation>Vergleich mit den anderen Objekten…</translation>
+    </message>
+    <message>
+        <source>No other object of the catalogue looks like it.</source>
+        <translation>Kein anderes Objekt des Katalogs sieht so aus.</translation>
+    </message>
+    <message>
+        <source>Show the page of “%1”</source>
+        <translation>Die Seite von „%1“ zeigen</translation>
+    </message>
+    <message>
+        <source>very alike</source>
+        <translation>sehr ähnlich</translation>
+    </message>
+    <message>
+        <source>alike</source>
+        <translation>ähnlich</translation>
+    </message>
+    <message>
+        <source>A scan would take the one for the other.</source>
+        <translation>Ein Scan würde das eine für das andere halten.</translation>
+    </message>
+    <message>
+        <source>Their views resemble each other more than those of most objects.</source>
+        <translation>Ihre Ansichten gleichen sich mehr als die der meisten Objekte.</translation>
+    </message>
+    <message>
+        <source>The same object</source>
+        <translation>Dasselbe Objekt</translation>
+    </message>
+    <message>
+        <source>Merge the two; a name that you gave stays</source>
+        <translation>Beide zusammenführen; ein gegebener Name bleibt</translation>
+    </message>
+    <message>
+        <source>Different</source>
+        <translation>Verschieden</translation>
+    </message>
+    <message>
+        <source>Do not suggest this one again in this catalogue</source>
+        <translation>Dieses in diesem Katalog nicht wieder vorschlagen</translation>
     </message>
 </context>
 <context>
@@ -1488,6 +1551,14 @@
         <source>Show the guide in the browser</source>
         <translation>Die Anleitung im Browser zeigen</translation>
     </message>
+    <message>
+        <source>Ctrl+Return, double click a picture</source>
+        <translation>Strg+Eingabe, Doppelklick auf ein Bild</translation>
+    </message>
+    <message>
+        <source>Page of the object: views, 3D model, scans</source>
+        <translation>Seite des Objekts: Ansichten, 3D-Modell, Scans</translation>
+    </message>
 </context>
 <context>
     <name>scantrove::HistoryPanel</name>
@@ -2182,6 +2253,25 @@
     </message>
 </context>
 <context>
+    <name>scantrove::ModelView</name>
+    <message>
+        <source>3D model</source>
+        <translation>3D-Modell</translation>
+    </message>
+    <message>
+        <source>The object as coloured points. Arrow keys turn, plus and minus zoom, Home shows all, Space starts and stops the turning.</source>
+        <translation>Das Objekt als farbige Punkte. Pfeiltasten drehen, Plus und Minus zoomen, Pos1 zeigt alles, die Leertaste startet und beendet das Drehen.</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys turn the model, the wheel zooms, Space starts and stops the turning.</source>
+        <translation>Ziehen oder Pfeiltasten drehen das Modell, das Rad zoomt, die Leertaste startet und beendet das Drehen.</translation>
+    </message>
+    <message>
+        <source>This display has no OpenGL 3.2.</source>
+        <translation>Diese Anzeige hat kein OpenGL 3.2.</translation>
+    </message>
+</context>
+<context>
     <name>scantrove::NameEditor</name>
     <message>
         <source>Name of the object</source>
@@ -2197,6 +2287,25 @@
     <message>
         <source>Hide the next steps of this scan</source>
         <translation>Die nächsten Schritte dieses Scans ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>scantrove::ObjectAttributes</name>
+    <message>
+        <source>Its class has no attributes. “Classes” in the menu “Edit” adds some.</source>
+        <translation>Seine Klasse hat keine Merkmale. „Klassen“ im Menü „Bearbeiten“ fügt welche hinzu.</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
     </message>
 </context>
 <context>
@@ -2306,6 +2415,45 @@
     </message>
 </context>
 <context>
+    <name>scantrove::ObjectHead</name>
+    <message>
+        <source>Confirmed</source>
+        <translation>Bestätigt</translation>
+    </message>
+    <message>
+        <source>Named, not confirmed</source>
+        <translation>Benannt, nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>New, without a name</source>
+        <translation>Neu, ohne Namen</translation>
+    </message>
+    <message>
+        <source>Name of the object</source>
+        <translation>Name des Objekts</translation>
+    </message>
+    <message>
+        <source>The name, or class/name</source>
+        <translation>Der Name oder Klasse/Name</translation>
+    </message>
+    <message>
+        <source>No class</source>
+        <translation>Ohne Klasse</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>Klasse: %1</translation>
+    </message>
+    <message>
+        <source>Unconfirm</source>
+        <translation>Bestätigung aufheben</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Bestätigen</translation>
+    </message>
+</context>
+<context>
     <name>scantrove::ObjectListModel</name>
     <message>
         <source>%1 × %2 × %3 cm</source>
@@ -2372,6 +2520,81 @@
     <message>
         <source>Objects</source>
         <translation>Objekte</translation>
+    </message>
+</context>
+<context>
+    <name>scantrove::ObjectPage</name>
+    <message>
+        <source>Perhaps the same object</source>
+        <translation>Vielleicht dasselbe Objekt</translation>
+    </message>
+    <message>
+        <source>Seen in</source>
+        <translation>Gesehen in</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Merkmale</translation>
+    </message>
+    <message>
+        <source>Open a scan with it</source>
+        <translation>Einen Scan damit öffnen</translation>
+    </message>
+    <message>
+        <source>Views of the object</source>
+        <translation>Ansichten des Objekts</translation>
+    </message>
+    <message>
+        <source>Object: %1</source>
+        <translation>Objekt: %1</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>scantrove::ObjectPages</name>
+    <message>
+        <source>d MMM, HH:mm</source>
+        <translation>d. MMM, HH:mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key frames</source>
+        <translation>
+            <numerusform>%n Schlüsselbild</numerusform>
+            <numerusform>%n Schlüsselbilder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions</source>
+        <translation>
+            <numerusform>%n Region</numerusform>
+            <numerusform>%n Regionen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In this scan %1</source>
+        <translation>In diesem Scan %1</translation>
+    </message>
+    <message>
+        <source>By the views of one scan %1</source>
+        <translation>Nach den Ansichten eines Scans %1</translation>
+    </message>
+    <message>
+        <source>From the open scan.</source>
+        <translation>Aus dem offenen Scan.</translation>
+    </message>
+    <message numerus="yes">
+        <source>From %n views, because no scan with it is open.</source>
+        <translation>
+            <numerusform>Aus %n Ansicht, weil kein Scan damit offen ist.</numerusform>
+            <numerusform>Aus %n Ansichten, weil kein Scan damit offen ist.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No scan with it is open, and its views have no depth.</source>
+        <translation>Kein Scan damit ist offen, und seine Ansichten haben keine Tiefe.</translation>
     </message>
 </context>
 <context>
@@ -2467,6 +2690,14 @@ Escape im Suchfeld leert es.</translation>
     <message>
         <source>This object has no views.</source>
         <translation>Dieses Objekt hat keine Ansichten.</translation>
+    </message>
+    <message>
+        <source>Object &amp;page</source>
+        <translation>Objektse&amp;ite</translation>
+    </message>
+    <message>
+        <source>Show views, 3D model and scans of the object</source>
+        <translation>Ansichten, 3D-Modell und Scans des Objekts zeigen</translation>
     </message>
 </context>
 <context>
@@ -3340,6 +3571,25 @@ Escape im Suchfeld leert es.</translation>
     <message>
         <source>Use %1 units per metre</source>
         <translation>%1 Einheiten je Meter verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>scantrove::ScanLinks</name>
+    <message>
+        <source>Scans with the object</source>
+        <translation>Scans mit dem Objekt</translation>
+    </message>
+    <message>
+        <source>No saved scan of this project has it.</source>
+        <translation>Kein gespeicherter Scan dieses Projekts hat es.</translation>
+    </message>
+    <message>
+        <source>This scan is open</source>
+        <translation>Dieser Scan ist offen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
     </message>
 </context>
 <context>

@@ -145,6 +145,30 @@
     </message>
 </context>
 <context>
+    <name>scantrove::ObjectPages</name>
+    <message numerus="yes">
+        <source>%n key frames</source>
+        <translation>
+            <numerusform>%n key frame</numerusform>
+            <numerusform>%n key frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions</source>
+        <translation>
+            <numerusform>%n region</numerusform>
+            <numerusform>%n regions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>From %n views, because no scan with it is open.</source>
+        <translation>
+            <numerusform>From %n view, because no scan with it is open.</numerusform>
+            <numerusform>From %n views, because no scan with it is open.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>scantrove::ProgressStrip</name>
     <message numerus="yes">
         <source>%1 of %n frames</source>

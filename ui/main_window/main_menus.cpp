@@ -82,7 +82,7 @@ void MainMenus::makeMenus() {
 
   const ObjectPanel::Actions& objects = parts_.objects->actions();
   QMenu* object_menu = window_.menuBar()->addMenu(tr("&Objects"));
-  object_menu->addActions({objects.rename, objects.confirm, objects.merge, objects.remove});
+  object_menu->addActions({objects.page, objects.rename, objects.confirm, objects.merge, objects.remove});
   connect(object_menu, &QMenu::aboutToHide, parts_.objects, &ObjectPanel::updateActions,
           Qt::QueuedConnection);
   object_menu->addSeparator();

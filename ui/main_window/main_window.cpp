@@ -17,6 +17,7 @@
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_menus.h"
 #include "ui/main_window/next_step_guide.h"
+#include "ui/main_window/object_pages.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/project_choice.h"
 #include "ui/main_window/project_page.h"
@@ -84,6 +85,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   new MainMenus(*this);
   new ScanDisplay(*this);
   new NextStepGuide(*this);
+  new ObjectPages(*this);
   connectRegions();
 
   resize(1480, 920);

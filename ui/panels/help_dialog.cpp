@@ -53,6 +53,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   heading(tr("Objects (with the list in focus)"));
   line(tr("Ctrl+L"), tr("Go to the object list"));
   line(tr("Ctrl+F"), tr("Find an object by name or class"));
+  line(tr("Ctrl+Return, double click a picture"), tr("Page of the object: views, 3D model, scans"));
   line(tr("F2"), tr("Rename"));
   line(tr("Return"), tr("Confirm, unconfirm"));
   line(tr("Del"), tr("Delete"));

@@ -20,10 +20,6 @@ constexpr int kConfirmedWidth = 26;  ///< width of the tick beside the name
 constexpr int kLineGap = 2;
 constexpr int kRing = 22;  ///< diameter of the ring of seen sides
 
-QRect pictureRect(const QRect& row) {
-  return {row.left() + kPadding + 4, row.top() + (row.height() - kPicture) / 2, kPicture, kPicture};
-}
-
 QRect textRect(const QRect& row) {
   return row.adjusted(kPicture + 3 * kPadding + 4, 0, -kPadding - kConfirmedWidth, 0);
 }
@@ -135,7 +131,7 @@ void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->setBrush(colors.accent);
     painter->drawRoundedRect(QRectF(card.left() + 2, card.top() + 12, 3, card.height() - 24), 1.5, 1.5);
   }
-  paintPicture(painter, pictureRect(card), index.data(Qt::DecorationRole).value<QImage>(), colors);
+  paintPicture(painter, pictureRect(option.rect), index.data(Qt::DecorationRole).value<QImage>(), colors);
 
   paintTexts(painter, textRect(card), option, index);
   if (index.data(ObjectListModel::ConfirmedRole).toBool()) {
@@ -147,6 +143,11 @@ void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     paintCoverageRing(painter, square, sides.value<SeenSides>(), colors);
   }
   painter->restore();
+}
+
+QRect ObjectDelegate::pictureRect(const QRect& row) {
+  const QRect card = row.adjusted(4, 2, -4, -2);
+  return {card.left() + kPadding + 4, card.top() + (card.height() - kPicture) / 2, kPicture, kPicture};
 }
 
 QRect ObjectDelegate::nameRect(const QRect& row) {

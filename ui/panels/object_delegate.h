@@ -14,6 +14,8 @@ class ObjectDelegate : public QStyledItemDelegate {
 
   /// Rectangle for editing the name in a row with this rectangle.
   [[nodiscard]] static QRect nameRect(const QRect& row);
+  /// Rectangle of the picture in such a row.
+  [[nodiscard]] static QRect pictureRect(const QRect& row);
 };
 
 }  // namespace scantrove

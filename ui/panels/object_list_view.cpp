@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QItemSelectionModel>
+#include <QMouseEvent>
 #include <QScrollBar>
 #include <algorithm>
 #include <utility>
@@ -35,8 +36,10 @@ ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, 
   connect(&model_, &ObjectListModel::merged, this, &ObjectListView::moveSelection);
   connect(verticalScrollBar(), &QAbstractSlider::valueChanged, this, &ObjectListView::newBelowChanged);
   name_editor_ = new NameEditor(*this, editor, model);
-  connect(this, &QAbstractItemView::doubleClicked, this,
-          [this](const QModelIndex& row) { editName(filter_->objectAt(row)); });
+  connect(this, &QAbstractItemView::doubleClicked, this, [this](const QModelIndex& row) {
+    const bool is_picture = ObjectDelegate::pictureRect(visualRect(row)).contains(double_clicked_);
+    is_picture ? emit pageRequested(filter_->objectAt(row)) : editName(filter_->objectAt(row));
+  });
 }
 
 std::vector<ObjectId> ObjectListView::selection() const {
@@ -122,6 +125,8 @@ void ObjectListView::moveSelection(ObjectId into, ObjectId from) {
 bool ObjectListView::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick)
     pressed_ = true;
+  if (event->type() == QEvent::MouseButtonDblClick)
+    double_clicked_ = static_cast<QMouseEvent*>(event)->position().toPoint();
   if (event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::Leave) pressed_ = false;
   return QListView::viewportEvent(event);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <QListView>
 #include <QPersistentModelIndex>
+#include <QPoint>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,8 @@ class ObjectListModel;
 
 /// The list of objects, filtered and sorted (ObjectFilter). Changes of the catalogue keep the selection, the
 /// typed name and the scroll position. If a selected object is merged into another, that one is selected. The
-/// list scrolls to new rows only while the user does not use it.
+/// list scrolls to new rows only while the user does not use it. A double click on a picture opens the
+/// object's page, one beside it the field for the name.
 class ObjectListView : public QListView {
   Q_OBJECT
 
@@ -41,6 +43,7 @@ class ObjectListView : public QListView {
 
  signals:
   void newBelowChanged();
+  void pageRequested(scantrove::ObjectId object);
 
  protected:
   bool viewportEvent(QEvent* event) override;
@@ -59,6 +62,7 @@ class ObjectListView : public QListView {
       visible_rows_;  ///< and their top positions, best anchor first
   bool was_at_end_ = false;
   bool pressed_ = false;
+  QPoint double_clicked_;  ///< in the viewport
 };
 
 }  // namespace scantrove

@@ -33,7 +33,7 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
       filter_bar_(new ObjectFilterBar(model, list_->filter())) {
   makeActions();
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
-  menu_->addActions({actions_.rename, actions_.confirm, actions_.merge, actions_.remove});
+  menu_->addActions({actions_.page, actions_.rename, actions_.confirm, actions_.merge, actions_.remove});
   connect(list_, &QWidget::customContextMenuRequested, this,
           [this](const QPoint& place) { menu_->popup(list_->viewport()->mapToGlobal(place)); });
   connect(menu_, &QMenu::aboutToHide, this, &ObjectPanel::updateActions, Qt::QueuedConnection);
@@ -122,6 +122,12 @@ void ObjectPanel::makeActions() {
     list_->addAction(action);
     return action;
   };
+  actions_.page =
+      make("cube", tr("Object &page"), tr("Show views, 3D model and scans of the object"),
+           {QKeySequence(Qt::CTRL | Qt::Key_Return), QKeySequence(Qt::CTRL | Qt::Key_Enter)}, [this] {
+             if (selected_.size() == 1) emit pageRequested(selected_.front());
+           });
+  connect(list_, &ObjectListView::pageRequested, this, &ObjectPanel::pageRequested);
   actions_.rename =
       make("rename", tr("&Rename"), tr("Give the object a name"), {QKeySequence(Qt::Key_F2)}, [this] {
         if (selected_.size() == 1) list_->editName(selected_.front());
@@ -148,7 +154,8 @@ QWidget* ObjectPanel::makeDetails() {
   bold.setWeight(QFont::DemiBold);
   selected_name_->setFont(bold);
   row->addWidget(selected_name_, 1);
-  for (QAction* action : {actions_.rename, actions_.confirm, actions_.merge, actions_.remove}) {
+  for (QAction* action :
+       {actions_.page, actions_.rename, actions_.confirm, actions_.merge, actions_.remove}) {
     auto* button = new QToolButton;
     button->setDefaultAction(action);
     button->setIconSize({18, 18});
@@ -189,6 +196,7 @@ void ObjectPanel::updateActions() {
     return record != nullptr && !record->confirmed;
   });
   const bool any = !selected_.empty();
+  actions_.page->setEnabled(selected_.size() == 1);
   actions_.rename->setEnabled(selected_.size() == 1);
   actions_.confirm->setEnabled(any);
   actions_.confirm->setText(confirms_ || !any ? tr("&Confirm") : tr("Un&confirm"));

@@ -28,6 +28,7 @@ class ObjectPanel : public QWidget {
 
   /// Actions on the selection. Their keys work while the list has the focus.
   struct Actions {
+    QAction* page;
     QAction* rename;
     QAction* confirm;
     QAction* merge;
@@ -50,6 +51,7 @@ class ObjectPanel : public QWidget {
 
  signals:
   void selectionChanged(const std::vector<scantrove::ObjectId>& objects);
+  void pageRequested(scantrove::ObjectId object);
 
  private:
   QWidget* makeHead();

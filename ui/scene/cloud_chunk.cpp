@@ -311,7 +311,8 @@ void CloudChunk::collectPoints(std::vector<std::vector<AppearancePoint>>& of_fra
   for (const auto& [key, brick] : bricks_) {
     for (const CloudBrick::Point& p : brick.points) {
       if (p.fragment.value < of_fragment.size())
-        of_fragment[p.fragment.value].push_back({{p.x, p.y, p.z}, p.color.rgb, p.color.known()});
+        of_fragment[p.fragment.value].push_back(
+            {{p.x, p.y, p.z}, p.color.rgb, p.color.known(), p.normal.unpacked()});
     }
   }
 }

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/catalogue/object_dossier.h"
+#include "core/catalogue/object_details.h"
 #include "tests/unit/catalogue/catalogue_test_support.h"
 
 namespace scantrove::test {
@@ -43,26 +43,26 @@ TEST_F(DifferentObjectsTest, AreNoChangesOfObjects) {
   EXPECT_THAT(database_->changesAfter(before).value().changes, IsEmpty());
 }
 
-TEST_F(DifferentObjectsTest, DossierHasViewsAndAllIds) {
+TEST_F(DifferentObjectsTest, DetailsHasViewsAndAllIds) {
   ObjectView newer = randomView(7);
   newer.object = objects_[0];
   ASSERT_TRUE(database_->addView(newer));
   const std::vector<ObjectId> merged{objects_[0], objects_[1]};
   ASSERT_TRUE(database_->merge(merged));
-  const Result<ObjectDossier> dossier = readDossier(file(), objects_[0]);
-  ASSERT_TRUE(dossier) << dossier.error().message();
-  EXPECT_EQ(dossier->catalogue, database_->identity().value());
-  EXPECT_THAT(dossier->ids, ElementsAre(objects_[0], objects_[1]));
-  ASSERT_EQ(dossier->views.size(), 3U);
-  EXPECT_EQ(dossier->views[0].frame_index, 7) << "newest first";
-  EXPECT_TRUE(dossier->cloud.points.empty()) << "the camera is not known";
+  const Result<ObjectDetails> details = readDetails(file(), objects_[0]);
+  ASSERT_TRUE(details) << details.error().message();
+  EXPECT_EQ(details->catalogue, database_->identity().value());
+  EXPECT_THAT(details->ids, ElementsAre(objects_[0], objects_[1]));
+  ASSERT_EQ(details->views.size(), 3U);
+  EXPECT_EQ(details->views[0].frame_index, 7) << "newest first";
+  EXPECT_TRUE(details->cloud.points.empty()) << "the camera is not known";
 }
 
-TEST_F(DifferentObjectsTest, DossierOfAMergedObjectIsAnError) {
+TEST_F(DifferentObjectsTest, DetailsOfAMergedObjectIsAnError) {
   const std::vector<ObjectId> merged{objects_[0], objects_[1]};
   ASSERT_TRUE(database_->merge(merged));
-  EXPECT_FALSE(readDossier(file(), objects_[1]));
-  EXPECT_FALSE(readDossier(file("missing.sqlite"), objects_[0]));
+  EXPECT_FALSE(readDetails(file(), objects_[1]));
+  EXPECT_FALSE(readDetails(file("missing.sqlite"), objects_[0]));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace scantrove {
 
 /// All that a catalogue knows of one object.
-struct ObjectDossier {
+struct ObjectDetails {
   ObjectId object;
   std::string catalogue;          ///< ObjectDatabase::identity()
   std::set<ObjectId> ids;         ///< its own, and those of all objects that were merged into it
@@ -24,6 +24,6 @@ struct ObjectDossier {
 
 /// Reads it with a connection of its own, which creates and changes nothing. Takes tenths of a second. Any
 /// thread. Error: as ObjectDatabase::openToRead(); the object was deleted or merged.
-[[nodiscard]] Result<ObjectDossier> readDossier(const std::string& database, ObjectId object);
+[[nodiscard]] Result<ObjectDetails> readDetails(const std::string& database, ObjectId object);
 
 }  // namespace scantrove

@@ -1,4 +1,4 @@
-#include "core/catalogue/object_dossier.h"
+#include "core/catalogue/object_details.h"
 
 #include <algorithm>
 #include <memory>
@@ -23,39 +23,39 @@ Result<std::vector<AlikeObject>> readAlike(ObjectDatabase& database, const Catal
   return findAlikeObjects(object, views, catalogue, *different);
 }
 
-Result<ObjectDossier> readFrom(ObjectDatabase& database, ObjectId object) {
-  ObjectDossier dossier;
-  dossier.object = object;
+Result<ObjectDetails> readFrom(ObjectDatabase& database, ObjectId object) {
+  ObjectDetails details;
+  details.object = object;
   const Result<CatalogueModel> catalogue = database.model();
   if (!catalogue) return fail(catalogue.error());
   if (const auto shown = catalogue->shown(object); !shown) return fail(shown.error());
   for (const auto& [id, state] : catalogue->objects()) {
-    if (catalogue->mergeRoot(id) == object) dossier.ids.insert(id);
+    if (catalogue->mergeRoot(id) == object) details.ids.insert(id);
   }
-  SCANTROVE_TRY(moveInto(dossier.catalogue, database.identity()));
-  SCANTROVE_TRY(moveInto(dossier.views, database.views().of(object)));
-  std::ranges::reverse(dossier.views);
+  SCANTROVE_TRY(moveInto(details.catalogue, database.identity()));
+  SCANTROVE_TRY(moveInto(details.views, database.views().of(object)));
+  std::ranges::reverse(details.views);
   const auto cameras = database.sessions().cameras();
   if (!cameras) return fail(cameras.error());
-  dossier.cloud = cloudOfViews(dossier.views, *cameras);
+  details.cloud = cloudOfViews(details.views, *cameras);
   Result<std::vector<AlikeObject>> alike = readAlike(database, *catalogue, object);
   // Views of an older version are described by the next scan, which may write.
   if (alike) {
-    dossier.alike = std::move(*alike);
+    details.alike = std::move(*alike);
   } else {
     spdlog::warn("No objects are suggested for merging: {}", alike.error().message());
   }
-  return dossier;
+  return details;
 }
 
 }  // namespace
 
-Result<ObjectDossier> readDossier(const std::string& database, ObjectId object) {
+Result<ObjectDetails> readDetails(const std::string& database, ObjectId object) {
   for (int i = 1;; ++i) {
     const Result<std::unique_ptr<ObjectDatabase>> opened = ObjectDatabase::openToRead(database);
     if (!opened) return fail(opened.error());
-    Result<ObjectDossier> dossier = readFrom(**opened, object);
-    if ((*opened)->isStill() || i == kMostReadings) return dossier;
+    Result<ObjectDetails> details = readFrom(**opened, object);
+    if ((*opened)->isStill() || i == kMostReadings) return details;
   }
 }
 
