@@ -2318,6 +2318,10 @@
         <source>new</source>
         <translation>neu</translation>
     </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
 </context>
 <context>
     <name>scantrove::ObjectFilterBar</name>
@@ -2412,6 +2416,10 @@
     <message>
         <source>No class</source>
         <translation>Ohne Klasse</translation>
+    </message>
+    <message>
+        <source>Changed since confirmed</source>
+        <translation>Seit Bestätigung geändert</translation>
     </message>
 </context>
 <context>
@@ -3694,6 +3702,21 @@ Alles andere geht. Mesas llvmpipe stellt es auf jedem Rechner bereit.</translati
     <message>
         <source>Connecting…</source>
         <translation>Verbindung wird aufgebaut…</translation>
+    </message>
+</context>
+<context>
+    <name>scantrove::ShapeWatch</name>
+    <message>
+        <source>%1 times as large as when you confirmed it: %2, then %3</source>
+        <translation>%1-mal so groß wie bei der Bestätigung: %2, damals %3</translation>
+    </message>
+    <message>
+        <source>Only %1 % as large as when you confirmed it: %2, then %3</source>
+        <translation>Nur %1 % so groß wie bei der Bestätigung: %2, damals %3</translation>
+    </message>
+    <message>
+        <source>Most of it has other colours than when you confirmed it</source>
+        <translation>Das meiste daran hat andere Farben als bei der Bestätigung</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,7 @@
 #include "ui/main_window/scene_names.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/main_window/selection_link.h"
+#include "ui/main_window/shape_watch.h"
 #include "ui/main_window/window_dialogs.h"
 #include "ui/main_window/window_placement.h"
 #include "ui/painting/image_mode.h"
@@ -86,6 +87,7 @@ MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& opti
   new ScanDisplay(*this);
   new NextStepGuide(*this);
   new ObjectPages(*this);
+  new ShapeWatch(*this);
   connectRegions();
 
   resize(1480, 920);

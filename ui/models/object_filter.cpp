@@ -62,6 +62,8 @@ bool ObjectFilter::isShown(const ObjectListModel::Row& row) const {
       return model_.isInView(record.id);
     case Shown::in_scan:
       return model_.isInScan(record.id);
+    case Shown::changed:
+      return model_.isChanged(record.id);
     case Shown::of_class:
       return row.class_id == class_id_;
   }

@@ -14,7 +14,7 @@ class ObjectFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
  public:
-  enum class Shown { all, named, confirmed, without_name, in_view, in_scan, of_class };
+  enum class Shown { all, named, confirmed, without_name, in_view, in_scan, changed, of_class };
   enum class Order { oldest, newest, name, object_class, views, size };
 
   /// `model` outlives this.

@@ -10,13 +10,12 @@ namespace {
 
 constexpr int kPictureCache_bytes = 32 << 20;
 
-QString sizeText(const ObjectRecord& record) {
-  const auto cm = [](float meters) { return QString::number(std::lround(100 * meters)); };
-  return ObjectListModel::tr("%1 × %2 × %3 cm")
-      .arg(cm(record.size_m.x()), cm(record.size_m.y()), cm(record.size_m.z()));
-}
-
 }  // namespace
+
+QString sizeInWords(const Eigen::Vector3f& size_m) {
+  const auto cm = [](float meters) { return QString::number(std::lround(100 * meters)); };
+  return ObjectListModel::tr("%1 × %2 × %3 cm").arg(cm(size_m.x()), cm(size_m.y()), cm(size_m.z()));
+}
 
 QString viewsInWords(int views) { return ObjectListModel::tr("%n views", nullptr, views); }
 
@@ -60,13 +59,17 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     case ViewCountRole:
       return record.views;
     case SizeTextRole:
-      return sizeText(record);
+      return sizeInWords(record.size_m);
     case InViewRole:
       return in_view_.contains(record.id);
     case RecognizedRole:
       return isRecognized(record.id);
     case AddedNowRole:
       return added_.contains(record.id) && !isSettled(record);
+    case ChangeRole: {
+      const auto change = changed_.find(record.id);
+      return change == changed_.end() ? QString() : change->second;
+    }
     case ClassNameRole:
       return row.class_name;
     case ClassColorRole:
@@ -85,12 +88,19 @@ QString ObjectListModel::toolTip(const Row& row) const {
   const auto sides = seen_sides_.find(record.id);
   const QString class_line =
       row.class_name.isEmpty() ? QString() : tr("Class: %1<br>").arg(row.class_name.toHtmlEscaped());
-  return tr("<b>%1</b><br>%7%2, %3<br>%4First seen in: %5<br>%6")
-      .arg(
-          QString::fromStdString(record.name).toHtmlEscaped(), sizeText(record), viewsInWords(record.views),
-          sides == seen_sides_.end() ? QString() : tr("In this scan %1<br>").arg(sidesInWords(sides->second)),
-          QString::fromStdString(record.first_session_name).toHtmlEscaped(),
-          record.confirmed ? tr("Confirmed") : tr("Not confirmed: F2 renames, Return confirms"), class_line);
+  const auto change = changed_.find(record.id);
+  const QString change_line =
+      change == changed_.end() ? QString() : QStringLiteral("<br>") + change->second.toHtmlEscaped();
+  const QString text =
+      tr("<b>%1</b><br>%7%2, %3<br>%4First seen in: %5<br>%6")
+          .arg(QString::fromStdString(record.name).toHtmlEscaped(), sizeInWords(record.size_m),
+               viewsInWords(record.views),
+               sides == seen_sides_.end() ? QString()
+                                          : tr("In this scan %1<br>").arg(sidesInWords(sides->second)),
+               QString::fromStdString(record.first_session_name).toHtmlEscaped(),
+               record.confirmed ? tr("Confirmed") : tr("Not confirmed: F2 renames, Return confirms"),
+               class_line);
+  return text + change_line;
 }
 
 QImage ObjectListModel::picture(ObjectId object) const {
@@ -193,9 +203,10 @@ void ObjectListModel::beginScan() {
   recognized_.clear();
   in_view_.clear();
   seen_sides_.clear();
+  changed_.clear();
   if (!rows_.empty()) {
     emit dataChanged(index(0), index(rowCount() - 1),
-                     {InViewRole, RecognizedRole, AddedNowRole, SeenSidesRole});
+                     {InViewRole, RecognizedRole, AddedNowRole, SeenSidesRole, ChangeRole});
   }
 }
 
@@ -229,6 +240,17 @@ void ObjectListModel::setSeenSides(std::map<ObjectId, SeenSides> sides) {
   }
   for (const auto& [object, seen] : before) {
     if (!seen_sides_.contains(object)) emitRow(object, {SeenSidesRole});
+  }
+}
+
+void ObjectListModel::setChanged(std::map<ObjectId, QString> changes) {
+  const auto before = std::exchange(changed_, std::move(changes));
+  for (const auto& [object, change] : changed_) {
+    const auto same = before.find(object);
+    if (same == before.end() || same->second != change) emitRow(object, {ChangeRole});
+  }
+  for (const auto& [object, change] : before) {
+    if (!changed_.contains(object)) emitRow(object, {ChangeRole});
   }
 }
 

@@ -32,6 +32,7 @@ class ObjectListModel : public QAbstractListModel {
     SeenSidesRole,   ///< SeenSides in this scan; invalid: not in this scan
     ClassNameRole,   ///< empty: not classified
     ClassColorRole,  ///< invalid: not classified
+    ChangeRole,      ///< how it differs from what was confirmed, a sentence; empty: not at all
   };
 
   /// A row, as the filter needs it.
@@ -55,6 +56,8 @@ class ObjectListModel : public QAbstractListModel {
   void setInView(const std::vector<SeenObject>& seen);
   /// For the objects of this scan.
   void setSeenSides(std::map<ObjectId, SeenSides> sides);
+  /// Objects that are no longer what a user confirmed, with sentences (ChangeRole).
+  void setChanged(std::map<ObjectId, QString> changes);
 
   [[nodiscard]] ObjectId objectAt(const QModelIndex& index) const;
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
@@ -66,6 +69,7 @@ class ObjectListModel : public QAbstractListModel {
   [[nodiscard]] bool isInScan(ObjectId object) const;
   /// Objects that this scan added, ascending.
   [[nodiscard]] const std::set<ObjectId>& added() const { return added_; }
+  [[nodiscard]] bool isChanged(ObjectId object) const { return changed_.contains(object); }
   /// Known before this scan and recognised in it.
   [[nodiscard]] bool isRecognized(ObjectId object) const { return recognized_.contains(object); }
   [[nodiscard]] int confirmedCount() const { return confirmed_count_; }
@@ -100,8 +104,11 @@ class ObjectListModel : public QAbstractListModel {
   std::set<ObjectId> added_;
   std::set<ObjectId> recognized_;
   std::map<ObjectId, SeenSides> seen_sides_;
+  std::map<ObjectId, QString> changed_;
 };
 
+/// "12 × 9 × 8 cm".
+[[nodiscard]] QString sizeInWords(const Eigen::Vector3f& size_m);
 /// "1 view", "7 views".
 [[nodiscard]] QString viewsInWords(int views);
 /// "seen from 7 of 12 sides", "seen from all sides".

@@ -73,7 +73,8 @@ void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem
   tag_font.setPointSizeF(option.font.pointSizeF() * 0.78);
   tag_font.setWeight(QFont::DemiBold);
   const bool recognized = index.data(ObjectListModel::RecognizedRole).toBool();
-  const bool tagged = recognized || index.data(ObjectListModel::AddedNowRole).toBool();
+  const bool changed = !index.data(ObjectListModel::ChangeRole).toString().isEmpty();
+  const bool tagged = changed || recognized || index.data(ObjectListModel::AddedNowRole).toBool();
   const int tag_height = tagged ? QFontMetrics(tag_font).height() + 4 : 0;
   const int all = QFontMetrics(bold).height() + kLineGap + QFontMetrics(small).height() + tag_height;
 
@@ -98,7 +99,9 @@ void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem
           << index.data(ObjectListModel::SizeTextRole).toString();
   rest.setTop(paintLine(painter, rest, small, details.join(QStringLiteral(" · "))).bottom() + 3);
   rest.setLeft(room.left());
-  if (tagged) {
+  if (changed) {
+    paintTag(painter, rest.topLeft(), tag_font, ObjectDelegate::tr("changed"), colors.warning);
+  } else if (tagged) {
     paintTag(painter, rest.topLeft(), tag_font,
              recognized ? ObjectDelegate::tr("known") : ObjectDelegate::tr("new"),
              recognized ? colors.info : colors.warning);

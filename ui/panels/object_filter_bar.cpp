@@ -24,8 +24,8 @@ using Order = ObjectFilter::Order;
 constexpr int kCountingInterval_ms = 400;
 constexpr int kClassIdRole = Qt::UserRole + 1;
 
-constexpr std::array kShownOfAnyClass{Shown::all,          Shown::named,   Shown::confirmed,
-                                      Shown::without_name, Shown::in_view, Shown::in_scan};
+constexpr std::array kShownOfAnyClass{Shown::all,     Shown::named,   Shown::confirmed, Shown::without_name,
+                                      Shown::in_view, Shown::in_scan, Shown::changed};
 
 QString shownInWords(Shown shown) {
   switch (shown) {
@@ -41,6 +41,8 @@ QString shownInWords(Shown shown) {
       return ObjectFilterBar::tr("In view");
     case Shown::in_scan:
       return ObjectFilterBar::tr("In this scan");
+    case Shown::changed:
+      return ObjectFilterBar::tr("Changed since confirmed");
     case Shown::of_class:
       break;
   }
@@ -61,6 +63,7 @@ struct EntryCounts {
       if (record.confirmed) ++of[Shown::confirmed];
       if (model.isInView(record.id)) ++of[Shown::in_view];
       if (model.isInScan(record.id)) ++of[Shown::in_scan];
+      if (model.isChanged(record.id)) ++of[Shown::changed];
       ++of_class[{row.class_name, row.class_id}];
     }
   }
@@ -161,6 +164,7 @@ void ObjectFilterBar::updateEntries() {
   };
   for (const Shown shown : kShownOfAnyClass) {
     const auto found = counts.of.find(shown);
+    if (shown == Shown::changed && found == counts.of.end()) continue;  // rare
     add(shownInWords(shown), found == counts.of.end() ? 0 : found->second, shown, {});
   }
   shown_->insertSeparator(shown_->count());

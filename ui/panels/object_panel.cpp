@@ -67,6 +67,7 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   updateCatalogue();
   connect(&model_, &ObjectListModel::updated, this, update);
   connect(&model_, &QAbstractItemModel::modelReset, this, update);
+  connect(&model_, &QAbstractItemModel::dataChanged, this, &ObjectPanel::updateActions);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ObjectPanel::updateSelection);
   connectFilter();
@@ -134,8 +135,11 @@ void ObjectPanel::makeActions() {
       });
   actions_.confirm =
       make("confirm", tr("&Confirm"), tr("Confirm that this is an object and its name is right"),
-           {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
-           [this] { editor_.setConfirmed(selected_, confirms_); });
+           {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)}, [this] {
+             const bool confirms = confirms_;
+             editor_.setConfirmed(selected_, confirms);
+             if (confirms) emit confirmed(selected_);
+           });
   actions_.merge = make("merge", tr("&Merge"), tr("Merge the selected objects into one"),
                         {QKeySequence(Qt::Key_M)}, [this] { editor_.merge(selected_); });
   actions_.remove = make("delete", tr("&Delete"), tr("Delete the object from the catalogue (can be undone)"),
@@ -193,7 +197,7 @@ void ObjectPanel::updateActions() {
   if (QApplication::activePopupWidget() != nullptr) return;
   confirms_ = std::any_of(selected_.begin(), selected_.end(), [this](ObjectId object) {
     const ObjectRecord* record = model_.record(object);
-    return record != nullptr && !record->confirmed;
+    return record != nullptr && (!record->confirmed || model_.isChanged(object));
   });
   const bool any = !selected_.empty();
   actions_.page->setEnabled(selected_.size() == 1);

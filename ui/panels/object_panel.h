@@ -52,6 +52,7 @@ class ObjectPanel : public QWidget {
  signals:
   void selectionChanged(const std::vector<scantrove::ObjectId>& objects);
   void pageRequested(scantrove::ObjectId object);
+  void confirmed(const std::vector<scantrove::ObjectId>& objects);  ///< as they are now
 
  private:
   QWidget* makeHead();
@@ -65,7 +66,7 @@ class ObjectPanel : public QWidget {
   CatalogueEditor& editor_;
   ObjectListModel& model_;
   Actions actions_{};
-  bool confirms_ = true;  ///< whether the action confirms; else it unconfirms
+  bool confirms_ = true;  ///< whether the action confirms, or confirms anew; else it unconfirms
   QStackedWidget* pages_;
   ObjectListView* list_;
   QMenu* menu_;

@@ -228,7 +228,7 @@ TEST_F(ObjectPageTest, ModelIsOfTheViews_UntilAScanHasTheObject) {
   ScanSnapshot snapshot = snapshotOf(1);
   snapshot.changed_regions = {{FragmentId{1}, RegionId{5}}};
   snapshot.region_infos = std::make_shared<const RegionInfos>(
-      RegionInfos{{.region = RegionId{5}, .voxels = 4000, .object = patterned_[2]}});
+      RegionInfos{{.region = RegionId{5}, .voxels = 4000, .note = {}, .object = patterned_[2]}});
   CloudBrick brick{Eigen::Vector3i(0, 0, 32), 1, {}};
   for (int i = 0; i < 64; ++i) {
     const Eigen::Vector3f in_brick(Eigen::Vector3i(i % 8, i / 8, 0).cast<float>().array() + 0.5F);
