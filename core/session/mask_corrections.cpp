@@ -37,15 +37,35 @@ bool isSplit(const Operation& operation) {
   return operation.kind == OperationKind::cut || operation.kind == OperationKind::finer;
 }
 
-/// Whether a later operation takes away what an entry painted for a region.
+/// The region that `anchor` was in before `operations`, after which it is in `now`.
+RegionId regionBefore(FragmentId anchor, RegionId now, std::span<const LogEntry> operations) {
+  for (auto one = operations.rbegin(); one != operations.rend(); ++one) {
+    if (one->state != OperationLog::State::done) continue;
+    for (const RegionMove& move : one->effect.moves) {
+      if (move.fragment != anchor || move.after != now) continue;
+      now = move.before;
+      break;
+    }
+  }
+  return now;
+}
+
+/// Whether a later operation takes away what an entry painted for a region. The regions of both have to be
+/// one before the operations that follow: a later join does not take away what the joined region had.
 bool isTakenAway(const LogEntry& entry, std::span<const LogEntry> later, RegionId now,
                  const RegionTable& table) {
-  return std::ranges::any_of(later, [&](const LogEntry& one) {
-    return one.state == OperationLog::State::done && one.operation.kind == OperationKind::unpaint &&
-           one.operation.correction && !one.operation.regions.empty() &&
-           one.operation.correction->key_frame == entry.operation.correction->key_frame &&
-           paintedRegionNow(one, table) == now;
-  });
+  for (std::size_t i = 0; i < later.size(); ++i) {
+    const LogEntry& one = later[i];
+    const bool is_unpaint = one.state == OperationLog::State::done &&
+                            one.operation.kind == OperationKind::unpaint && one.operation.correction &&
+                            !one.operation.regions.empty() &&
+                            one.operation.correction->key_frame == entry.operation.correction->key_frame;
+    if (!is_unpaint || paintedRegionNow(one, table) != now) continue;
+    const std::span<const LogEntry> after = later.subspan(i + 1);
+    if (regionBefore(entry.effect.anchor, now, after) == regionBefore(one.effect.anchor, now, after))
+      return true;
+  }
+  return false;
 }
 
 /// The painted mask of an entry, with what later operations did to its regions.

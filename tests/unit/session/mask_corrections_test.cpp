@@ -113,6 +113,34 @@ TEST_F(MaskCorrectionsTest, AreTakenAway_ForOneRegionAndImage) {
   EXPECT_EQ(masks().size(), 2U) << "undone";
 }
 
+TEST_F(MaskCorrectionsTest, StayWithTheirRegion_WhenItIsJoinedWithOneWhoseMaskWasReset) {
+  addPaint(0);
+  addPaint(1);
+  const RegionId into = regionOf(0), joined = regionOf(1);
+  Operation unpaint{.kind = OperationKind::unpaint, .regions = {into}};
+  unpaint.correction = MaskCorrection{.key_frame = kKeyFrame, .image = 12};
+  log_.add(unpaint, {.anchor = fragments_[0]});
+  table_.join(into, joined);
+  log_.add({.kind = OperationKind::join, .regions = {into, joined}},
+           {.moves = {{fragments_[1], joined, into}}});
+  ASSERT_EQ(masks().size(), 1U) << "what was painted for the joined region";
+  EXPECT_EQ(masks()[0].region, into.value);
+  log_.add(unpaint, {.anchor = fragments_[0]});
+  EXPECT_TRUE(masks().empty()) << "a reset after the join takes both";
+}
+
+TEST_F(MaskCorrectionsTest, AreTakenAway_AlsoWhenTheirRegionIsJoinedLater) {
+  addPaint(1);
+  const RegionId into = regionOf(0), joined = regionOf(1);
+  Operation unpaint{.kind = OperationKind::unpaint, .regions = {joined}};
+  unpaint.correction = MaskCorrection{.key_frame = kKeyFrame, .image = 12};
+  log_.add(unpaint, {.anchor = fragments_[1]});
+  table_.join(into, joined);
+  log_.add({.kind = OperationKind::join, .regions = {into, joined}},
+           {.moves = {{fragments_[1], joined, into}}});
+  EXPECT_TRUE(masks().empty());
+}
+
 TEST_F(MaskCorrectionsTest, BelongToTheNewRegionThatTheyMade) {
   const FragmentId part = table_.newFragmentBeside(fragments_[1]);
   RegionEvents events;
