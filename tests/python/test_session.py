@@ -141,11 +141,11 @@ class SessionTest(unittest.TestCase):
         )
         return database
 
-    def operation(self, database, number, kind, state="done", **more):
+    def operation(self, database, number, kind, state="done", effect=None, **more):
         operation = {"kind": kind, "regions": [5], **more}
         database.execute(
-            "INSERT INTO operations (number, state, operation, effect, done) VALUES (?, ?, ?, '{}', '')",
-            (number, state, json.dumps(operation)),
+            "INSERT INTO operations (number, state, operation, effect, done) VALUES (?, ?, ?, ?, '')",
+            (number, state, json.dumps(operation), json.dumps(effect or {})),
         )
 
     def test_frames_have_poses_in_the_world_of_the_recording(self):
@@ -206,6 +206,33 @@ class SessionTest(unittest.TestCase):
         self.assertEqual(painted.region, 5)
         np.testing.assert_array_equal(painted.added, [[0, 1, 1, 1], [0, 0, 0, 0]])
         self.assertFalse(painted.removed.any())
+
+    def test_painted_masks_are_gone_when_they_were_taken_back(self):
+        database = self.write()
+        mask = {"key_frame": 0, "image": 120, "size": [4, 2]}
+        pixels = "INSERT INTO mask_corrections VALUES (?, 4, 2, ?, x'', NULL)"
+        for number, region, anchor in ((1, 5, 1), (2, 6, 3)):
+            self.operation(database, number, "paint", effect={"anchor": anchor}, regions=[region], mask=mask)
+            database.execute(pixels, (number, bytes([1, 3])))
+        self.operation(database, 3, "unpaint", effect={"anchor": 1}, mask=mask)
+        database.commit()
+        (painted,) = scantrove.Session(self.folder).key_frames[0].painted
+        self.assertEqual(painted.region, 6)
+        # A join afterwards does not take back what was painted for the joined region.
+        self.operation(database, 4, "join", effect={"moves": [[3, 6, 5]]}, regions=[5, 6])
+        database.execute("UPDATE fragments SET region = 5 WHERE fragment = 3")
+        database.commit()
+        (painted,) = scantrove.Session(self.folder).key_frames[0].painted
+        self.assertEqual(painted.region, 6)
+
+    def test_a_painted_new_region_is_the_one_that_was_made(self):
+        database = self.write()
+        mask = {"key_frame": 0, "image": 120, "size": [4, 2], "makes_region": True}
+        self.operation(database, 1, "paint", effect={"anchor": 3, "created": [6]}, mask=mask)
+        database.execute("INSERT INTO mask_corrections VALUES (1, 4, 2, ?, x'', NULL)", (bytes([1, 3]),))
+        database.commit()
+        (painted,) = scantrove.Session(self.folder).key_frames[0].painted
+        self.assertEqual(painted.region, 6)
 
     def test_long_runs_have_several_bytes(self):
         from scantrove.session import _runs

@@ -11,6 +11,7 @@ from .clouds import read_cloud
 from .database import has_column, has_table, open_database
 from .errors import ScantroveError
 from .images import read_image
+from .painted import painted_operations
 
 _APPLICATION_ID = 1399018341
 _NEWEST_VERSION = 12
@@ -43,7 +44,7 @@ class Frame:
 
 @dataclass(frozen=True)
 class PaintedMask:
-    """What a person painted for a region in the image of a key frame."""
+    """What a person painted for a region in the image of a key frame, and has not taken back."""
 
     region: int
     """The region that was painted for; it may have been split or joined since."""
@@ -256,16 +257,14 @@ class Session:
         """PaintedMasks by the number of the key frame's frame."""
         if not has_table(self._database, "mask_corrections"):
             return {}
-        query = (
-            "SELECT operations.operation AS said, width, height, added, removed FROM mask_corrections "
-            "JOIN operations ON mask_corrections.operation = number WHERE state = 'done' ORDER BY number"
-        )
+        query = "SELECT width, height, added, removed FROM mask_corrections WHERE operation = ?"
         painted = {}
-        for row in self._database.execute(query):
-            said = json.loads(row["said"])
+        for number, key_frame, region in painted_operations(self._database):
+            row = self._database.execute(query, (number,)).fetchone()
+            if row is None:
+                continue
             masks = [_runs(row[name], row["width"], row["height"]) for name in ("added", "removed")]
-            mask = PaintedMask(said["regions"][0], *masks)
-            painted.setdefault(said["mask"]["key_frame"], []).append(mask)
+            painted.setdefault(key_frame, []).append(PaintedMask(region, *masks))
         return painted
 
     def _boxes(self):
