@@ -162,6 +162,14 @@ class SessionTest(unittest.TestCase):
         self.assertTrue(first.is_reliable)
         self.assertFalse(second.is_reliable)
 
+    def test_relocalised_frames_are_reliable(self):
+        database = self.write()
+        # As core/tracking/pose_estimate.h writes it.
+        database.execute("UPDATE frames SET state = 'relocalised' WHERE number = 0")
+        database.commit()
+        first, _ = scantrove.Session(self.folder).frames
+        self.assertTrue(first.is_reliable)
+
     def test_key_frames_have_cameras_and_depth_in_metres(self):
         self.write().commit()
         key, without_color = scantrove.Session(self.folder).key_frames

@@ -28,7 +28,7 @@ class Frame:
     time: float
     """Seconds, as in the recording."""
     state: str
-    """"tracking", "relocalized", "uncertain" or "lost"; poses are reliable with the first two."""
+    """"tracking", "relocalised", "uncertain" or "lost"; poses are reliable with the first two."""
     T_world_camera: np.ndarray
     """(4, 4), from the depth camera to the world of the recording, metres."""
     K: np.ndarray
@@ -39,7 +39,7 @@ class Frame:
     @property
     def is_reliable(self):
         """Whether the pose is reliable."""
-        return self.state in ("tracking", "relocalized")
+        return self.state in ("tracking", "relocalised")
 
 
 @dataclass(frozen=True)
