@@ -331,11 +331,17 @@ class ProjectTest(unittest.TestCase):
         self.assertEqual(scantrove.Project(self.folder).name, "old")
         (self.folder / "scantrove-project.json").write_text('{"scantrove_project": 1, "name": "Küche"}', "utf-8")
         self.assertEqual(scantrove.Project(self.folder).name, "Küche")
-        (self.folder / "scantrove-project.json").write_text('{"scantrove_project": 2}')
+        (self.folder / "scantrove-project.json").write_text('{"scantrove_project": 3}')
         with self.assertRaisesRegex(scantrove.ScantroveError, "newer Scantrove"):
             scantrove.Project(self.folder)
         (self.folder / "scantrove-project.json").write_text("[]")
         with self.assertRaisesRegex(scantrove.ScantroveError, "is damaged"):
+            scantrove.Project(self.folder)
+
+    def test_a_catalogue_on_a_server_is_named_as_the_reason(self):
+        project = {"scantrove_project": 2, "name": "lab", "catalogue": "postgresql://lab@host/objects"}
+        (self.folder / "scantrove-project.json").write_text(json.dumps(project))
+        with self.assertRaisesRegex(scantrove.ScantroveError, "is on a server"):
             scantrove.Project(self.folder)
 
     def test_the_catalogue_has_objects_classes_and_views(self):

@@ -15,7 +15,7 @@ from .session import Session
 _APPLICATION_ID = 1399025268
 _NEWEST_VERSION = 9
 _PROJECT_FILES = ("scantrove-project.json", "project.json")
-_NEWEST_PROJECT = 1
+_NEWEST_PROJECT = 2
 
 
 @dataclass(frozen=True)
@@ -123,11 +123,18 @@ class Project:
             try:
                 project = json.loads(file.read_text("utf-8"))
                 version, name = project["scantrove_project"], project.get("name", "")
+                server = project.get("catalogue")
             except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
                 raise ScantroveError(f"{file} is damaged: it is no project of Scantrove.") from error
             if version > _NEWEST_PROJECT:
                 raise ScantroveError(
                     f"The project {self.folder} was written by a newer Scantrove. Update the module scantrove."
+                )
+            if server is not None:
+                raise ScantroveError(
+                    f"The catalogue of the project {self.folder} is on a server, which this module does not read. "
+                    "Open single scans with Session, or copy the catalogue into a project of its own with "
+                    "'scantrove objects copy'."
                 )
             return name or self.folder.name
         raise ScantroveError(
