@@ -33,6 +33,21 @@ bool isInside(const fs::path& name) {
   return true;
 }
 
+bool isRealFolder(const fs::path& folder) {
+  std::error_code failure;
+  return fs::symlink_status(folder, failure).type() == fs::file_type::directory;
+}
+
+/// Whether all folders between `folder` and `name` are real ones. What is behind a link is elsewhere, and not
+/// what an export wrote.
+bool isReachedWithoutLinks(fs::path folder, const fs::path& name) {
+  for (const fs::path& part : name.parent_path()) {
+    folder /= part;
+    if (!isRealFolder(folder)) return false;
+  }
+  return true;
+}
+
 tl::unexpected<Error> damagedRecord(const fs::path& file) {
   return fail(file.string() + " is damaged: it does not say which files an export wrote.",
               "Export to another folder.");
@@ -137,11 +152,15 @@ bool ExportRecord::removeFrom(const fs::path& folder) const {
   std::error_code ignored;
   std::set<fs::path> folders;  // a parent before what it holds
   for (const auto& [name, file] : files_) {
-    if (isUnchanged(folder / name, file)) fs::remove(folder / name, ignored);
+    if (isReachedWithoutLinks(folder, name) && isUnchanged(folder / name, file))
+      fs::remove(folder / name, ignored);
     for (fs::path parent = name.parent_path(); !parent.empty(); parent = parent.parent_path())
       folders.insert(parent);
   }
-  for (auto name = folders.rbegin(); name != folders.rend(); ++name) fs::remove(folder / *name, ignored);
+  for (auto name = folders.rbegin(); name != folders.rend(); ++name) {
+    if (isReachedWithoutLinks(folder, *name) && isRealFolder(folder / *name))
+      fs::remove(folder / *name, ignored);
+  }
   // The record and the marker go last, so that a removal that was killed can go on.
   std::size_t rest = 0;
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;

@@ -214,5 +214,15 @@ TEST_F(ReplacedDatasetTest, LeavesNoOldDataSet_ButWhatOthersPutThere) {
   EXPECT_FALSE(fs::exists(home_ / "out.part-abc123/masks/000010.png"));
 }
 
+TEST_F(ReplacedDatasetTest, RemovesNothingBehindALink) {
+  const auto record = ExportRecord::read(home_ / "out");
+  ASSERT_TRUE(record && *record);
+  fs::rename(home_ / "out/masks", home_ / "kept");
+  fs::create_directory_symlink(home_ / "kept", home_ / "out/masks");
+  EXPECT_FALSE((*record)->removeFrom(home_ / "out", "none"));
+  EXPECT_TRUE(fs::exists(home_ / "kept/000010.png"));
+  EXPECT_TRUE(fs::is_symlink(home_ / "out/masks"));
+}
+
 }  // namespace
 }  // namespace scantrove::test
