@@ -2,6 +2,7 @@
 
 #include <QFuture>
 #include <QPromise>
+#include <QScopedValueRollback>
 #include <QThreadPool>
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ void PaintController::setLabels(const KeyFrameLabels& labels) {
   labels_ = labels;
   if (!is_same) {
     pending_.clear();
-    ++snap_number_;
+    ++image_number_;
     setTool(tool_kind_);
   }
   showPending();
@@ -53,7 +54,7 @@ void PaintController::setLabels(const KeyFrameLabels& labels) {
 
 void PaintController::clear() {
   cancel();
-  ++snap_number_;
+  ++image_number_;
   labels_ = {};
   regions_.release();
   pending_.clear();
@@ -167,9 +168,13 @@ void PaintController::snap(const cv::Mat& rough, RegionId target) {
     promise->addResult(mask);
     promise->finish();
   });
-  const int number = ++snap_number_;
-  promise->future().then(this, [this, number, target](const cv::Mat& mask) {
-    if (number == snap_number_) paint(mask, PaintMode::add, target);
+  // The user may draw on meanwhile, and change what strokes do.
+  promise->future().then(this, [this, number = image_number_, target, is_new = is_new_region_,
+                                only = this_image_only_](const cv::Mat& mask) {
+    if (number != image_number_) return;
+    const QScopedValueRollback new_region(is_new_region_, is_new);
+    const QScopedValueRollback this_image(this_image_only_, only);
+    paint(mask, PaintMode::add, target);
   });
 }
 

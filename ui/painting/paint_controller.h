@@ -91,7 +91,7 @@ class PaintController : public QObject {
   float radius_px_ = 5;
   bool this_image_only_ = false, is_new_region_ = false;
   RegionId selected_;
-  int snap_number_ = 0;  ///< of the current computation
+  int image_number_ = 0;  ///< counts the shown images; a computation for an earlier one is dropped
 };
 
 }  // namespace scantrove

@@ -298,6 +298,19 @@ TEST_F(ImageModeTest, APolygonIsClosedByReturn) {
   EXPECT_EQ(differing(lastOperation()->correction->added.mask(), square), 0);
 }
 
+TEST_F(ImageModeTest, TwoMagicEdgesInARowPaintBoth) {
+  zoomTo({320, 240});
+  QTest::keyClick(&canvas(), Qt::Key_W);
+  // The second outline is complete before the first one has been moved to its edges.
+  for (const double left : {300.0, 310.0}) {
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, on(left, left - 80));
+    for (const QPointF& corner : {QPointF(30, 0), QPointF(30, 30), QPointF(0, 30)})
+      moveTo(on(left + corner.x(), left - 80 + corner.y()));
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, on(left, left - 80));
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return worker_->edits.size() == 2; }, kPatience_ms));
+}
+
 TEST_F(ImageModeTest, FillsAHole) {
   cv::Mat regions = halves();
   const cv::Rect hole(400, 200, 12, 9);
