@@ -1,7 +1,6 @@
 #include "core/scan/scan_worker.h"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -32,6 +31,11 @@ bool is(const ScanCommand& command) {
   return std::holds_alternative<Command>(command);
 }
 
+/// Whether somebody waits for its end.
+bool isExport(const ScanCommand& command) {
+  return is<ExportDataset>(command) || is<ExportProject>(command) || is<RenderPicture>(command);
+}
+
 }  // namespace
 
 ScanWorker::ScanWorker(ScanListener listener, Niceness niceness)
@@ -58,8 +62,12 @@ void ScanWorker::post(ScanCommand command) {
           // One that was not stopped also stops the export that is running.
           if (kIsOneOf<Command, ExportDataset, ExportProject, RenderPicture> && export_stop_.stop_requested())
             export_stop_ = std::stop_source();
-          // A user's edits of the running scan are executed before it ends.
-          if (kEndsScan<Command>) std::erase_if(queue_, std::not_fn(is<EditRegions>));
+          // A user's edits of the running scan are executed before it ends; exports, stopped above, are
+          // only answered.
+          if (kEndsScan<Command>) {
+            std::erase_if(queue_,
+                          [](const ScanCommand& one) { return !is<EditRegions>(one) && !isExport(one); });
+          }
           if (kIsOneOf<Command, StopScan>) std::erase_if(queue_, is<StartScan>);
           if (kNewestReplaces<Command>) std::erase_if(queue_, is<Command>);
         },
@@ -125,6 +133,12 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
     if (target.review != nullptr) return work(*target.review);
     listener_(ExportFailed{{"A running scan cannot be exported.", "Stop the scan first."}});
   };
+  const auto with_stop = [&](const auto& job) {
+    const std::stop_token stop = exportStop();
+    if (stop.stop_requested())
+      return listener_(ExportFailed{{"The export was cancelled; nothing was written.", ""}});
+    with_export([&](ScanReview& review) { review.execute(job, stop); });
+  };
   std::visit(Overloaded{
                  [](const StartScan&) { /* loop() does it */ },
                  [&](PauseScan) { control_.is_paused = true; },
@@ -147,14 +161,13 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                  },
                  [&](const PreviewExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
                  [&](const SampleExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
-                 [&](const ExportDataset& c) {
-                   with_export([&](ScanReview& review) { review.execute(c, exportStop()); });
-                 },
-                 [&](const ExportProject& c) {
-                   with_export([&](ScanReview& review) { review.execute(c, exportStop()); });
-                 },
+                 [&](const ExportDataset& c) { with_stop(c); },
+                 [&](const ExportProject& c) { with_stop(c); },
                  [&](const RenderPicture& c) {
-                   if (target.review != nullptr) return target.review->execute(c, exportStop());
+                   const std::stop_token stop = exportStop();
+                   if (stop.stop_requested())
+                     return listener_(RenderFailed{{"The picture was cancelled.", ""}});
+                   if (target.review != nullptr) return target.review->execute(c, stop);
                    listener_(RenderFailed{{"A running scan cannot be drawn.", "Stop the scan first."}});
                  },
                  [](CancelExport) { /* post() has done it */ },
@@ -298,7 +311,8 @@ void ScanWorker::review(const ScanRequest& request, bool is_after_scan) {
   {
     const std::scoped_lock lock(mutex_);
     const bool is_ending = isPosted<CloseScan>() || isPosted<StartScan>();
-    if (control_.is_closed || (is_ending && !is<EditRegions>(queue_.front()))) return;
+    const auto next = std::ranges::find_if_not(queue_, isExport);
+    if (control_.is_closed || (is_ending && !is<EditRegions>(*next))) return;
     is_running_ = !is_after_scan;  // waiting for the scan does not include this
   }
   changed_.notify_all();

@@ -181,6 +181,24 @@ TEST_F(ScanReviewTest, SavedSessionIsShownEditedAndExported) {
   EXPECT_NE(awaitShown([&](const ScanSnapshot& s) { return !shows_table(s); }), nullptr);
 }
 
+// Somebody waits for the end of each export, also of one that had not begun.
+TEST_F(ScanReviewTest, ExportsAreAnswered_WhenTheScanIsClosed) {
+  worker_.post(StartScan{reviewed()});
+  log_.await<ReviewOpened>();
+  ExportOptions options;
+  options.format = DatasetFormat::masks;
+  options.folder = folder_ / "masks";
+  RenderPicture picture;
+  picture.options.file = folder_ / "scan.png";
+  worker_.post(ExportDataset{options});
+  worker_.post(picture);
+  worker_.post(CloseScan{});
+  worker_.post(EditRegions{UndoEdit{}});
+  log_.await<EditFailed>();  // the scan is closed
+  EXPECT_EQ(log_.all<ExportFinished>().size() + log_.all<ExportFailed>().size(), 1U);
+  EXPECT_EQ(log_.all<RenderFinished>().size() + log_.all<RenderFailed>().size(), 1U);
+}
+
 // Segments of a shown key frame are computed again when k changes; regions and map do not change.
 TEST_F(ScanReviewTest, KeyFrameIsSegmentedAgain_WhenParametersChange) {
   ScanRequest requested = reviewed();
