@@ -209,7 +209,7 @@ SessionSummary summaryOf(const fs::path& folder) {
   const fs::path place = fs::absolute(folder).lexically_normal();
   summary.name = (place.has_filename() ? place : place.parent_path()).filename().string();
   summary.megabytes = megabytesIn(folder);
-  summary.in_use = isLocked(folder / "session.lock");
+  summary.in_use = isSessionInUse(folder);
   if (const Result<void> read = readSession(folder / "session.sqlite", summary); !read)
     summary.damage = read.error().message();
   return summary;
@@ -230,6 +230,8 @@ std::vector<SessionSummary> listSessions(const fs::path& folder) {
   });
   return sessions;
 }
+
+bool isSessionInUse(const fs::path& folder) { return isLocked(folder / "session.lock"); }
 
 SessionMetadata readSessionMetadata(const fs::path& folder) {
   SessionMetadata metadata;

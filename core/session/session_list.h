@@ -38,6 +38,9 @@ struct SessionSummary {
 /// `damage`. Missing folder: empty. Any thread.
 [[nodiscard]] std::vector<SessionSummary> listSessions(const std::filesystem::path& folder);
 
+/// Whether a program has the session in `folder` open; false if the system cannot tell. Any thread.
+[[nodiscard]] bool isSessionInUse(const std::filesystem::path& folder);
+
 /// The metadata of the session in `folder`, read as by listSessions(). Empty: no session, or unreadable.
 /// Any thread.
 [[nodiscard]] SessionMetadata readSessionMetadata(const std::filesystem::path& folder);

@@ -3504,6 +3504,10 @@ Escape im Suchfeld leert es.</translation>
         <translation>Scan %1 löschen</translation>
     </message>
     <message>
+        <source>The scan %1 is in use and was not deleted. Close it first.</source>
+        <translation>Der Scan %1 ist in Benutzung und wurde nicht gelöscht. Zuerst schließen.</translation>
+    </message>
+    <message>
         <source>The scan %1 cannot be moved to the trash. It was not changed.</source>
         <translation>Der Scan %1 kann nicht in den Papierkorb verschoben werden. Er wurde nicht geändert.</translation>
     </message>

@@ -84,6 +84,13 @@ DeleteScan::DeleteScan(const QString& folder, std::function<void()> done, Fail f
       fail_(std::move(fail)) {}
 
 void DeleteScan::redo() {
+  // What the program that has it open still writes would be lost with the trash.
+  if (isSessionInUse(folder_.toStdString())) {
+    setObsolete(true);
+    fail_(scantrove::SavedScansPanel::tr("The scan %1 is in use and was not deleted. Close it first.")
+              .arg(folder_));
+    return done_();
+  }
   if (!QFile::moveToTrash(folder_, &in_trash_)) {
     setObsolete(true);
     fail_(scantrove::SavedScansPanel::tr("The scan %1 cannot be moved to the trash. It was not changed.")

@@ -10,7 +10,9 @@
 #include <QTest>
 #include <QToolButton>
 #include <QUndoStack>
+#include <iostream>
 
+#include "core/base/file_lock.h"
 #include "ui/main_window/saved_scan_list.h"
 #include "ui/panels/start_page.h"
 
@@ -112,6 +114,27 @@ TEST(DeleteScan, ReportsAFailure_WhichIsNoUndoStep) {
   undo.push(new DeleteScan(
       QStringLiteral("/nowhere/at all"), [] {}, [&](const QString& message) { failure = message; }));
   EXPECT_TRUE(failure.contains(QStringLiteral("/nowhere/at all")));
+  EXPECT_FALSE(undo.canUndo());
+}
+
+// What another program writes into an open scan would be lost with the trash.
+TEST(DeleteScan, LeavesAScanThatIsInUse) {
+  if (!QFile::exists(QStringLiteral("/proc/locks"))) {
+    std::cerr << "NOT TESTED: whether a scan is in use, for this system does not tell.\n";
+    return;
+  }
+  const QTemporaryDir home(QDir::homePath() + QStringLiteral("/scantrove-test-XXXXXX"));
+  const QString folder = home.filePath(QStringLiteral("scan"));
+  ASSERT_TRUE(QDir().mkpath(folder));
+  const Result<FileLock> lock =
+      FileLock::take((folder + QStringLiteral("/session.lock")).toStdString(), {"It is in use.", ""});
+  ASSERT_TRUE(lock);
+  QString failure;
+  QUndoStack undo;
+  undo.push(new DeleteScan(
+      folder, [] {}, [&](const QString& message) { failure = message; }));
+  EXPECT_TRUE(failure.contains(folder)) << failure.toStdString();
+  EXPECT_TRUE(QDir(folder).exists());
   EXPECT_FALSE(undo.canUndo());
 }
 
