@@ -67,7 +67,8 @@ Result<void> reviewKeyFrames(OpenSession& session, const SessionArguments& argum
                       session.folder().string() + "; nothing was changed.",
                   "'scantrove session review --list' lists the key frames.");
     }
-    wanted.push_back(*found);
+    // A number given twice is one step of undo.
+    if (std::ranges::find(wanted, number, &FrameReview::image) == wanted.end()) wanted.push_back(*found);
   }
   std::vector<FrameReview> changed;
   for (FrameReview& review : wanted) {

@@ -53,6 +53,15 @@ TEST_F(ReviewCommandTest, SetsStates_WhichUndoTakesBack) {
   EXPECT_EQ(listed()["left_out"], 1);
 }
 
+TEST_F(ReviewCommandTest, FrameGivenTwiceIsOneStep) {
+  const std::vector<std::string> all = frames();
+  ASSERT_GE(all.size(), 1U);
+  ASSERT_EQ(session({"review", "--frame", all[0], "--frame", all[0], "--state", "checked"}).exit_code, 0);
+  EXPECT_EQ(listed()["checked"], 1);
+  ASSERT_EQ(session({"undo"}).exit_code, 0);
+  EXPECT_EQ(listed()["checked"], 0);
+}
+
 TEST_F(ReviewCommandTest, DataSetsHaveNoFrameThatWasLeftOut) {
   const std::vector<std::string> all = frames();
   ASSERT_GE(all.size(), 2U);
