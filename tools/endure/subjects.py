@@ -87,10 +87,12 @@ class Window:
 
     def end(self):
         self.process.send_signal(signal.SIGTERM)
-        code = self.process.wait(LONGEST_END_S)
-        self.display.terminate()
-        self.display.wait(LONGEST_END_S)
-        self.log.close()
+        try:
+            code = self.process.wait(LONGEST_END_S)
+        finally:  # a window that hangs leaves no display behind
+            self.display.terminate()
+            self.display.wait(LONGEST_END_S)
+            self.log.close()
         if code not in (0, -signal.SIGTERM):
             raise ValueError(f"the window ended with exit code {code}; see {self.work / 'window.log'}")
 
