@@ -184,12 +184,9 @@ Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Part& job) {
   const std::vector<ObjectMerge>& merges = found != joined_.end() ? found->second : job.earlier;
   std::vector<ObjectId> changed;
   for (auto merge = merges.rbegin(); merge != merges.rend(); ++merge) {
-    const Result<ObjectId> root = database_->mergeRoot(merge->from.front());
-    if (!root) return fail(root.error());
+    SCANTROVE_TRY(database_->revertMerge(*merge));
     changed.push_back(merge->into);
     changed.insert(changed.end(), merge->from.begin(), merge->from.end());
-    // Others may have separated or deleted them since.
-    if (*root == merge->into) SCANTROVE_TRY(database_->unmerge(*merge));
   }
   if (found != joined_.end()) joined_.erase(found);
   if (changed.empty()) return Events{};

@@ -297,6 +297,19 @@ Result<void> ObjectDatabase::unmerge(const ObjectMerge& merge) {
       [&](CatalogueModel& model) { return model.unmerge(merge); });
 }
 
+Result<bool> ObjectDatabase::revertMerge(const ObjectMerge& merge) {
+  return changeCatalogue(
+      *connection_, [&](ObjectRows& rows) { return readMerge(rows, merge); },
+      [&](CatalogueModel& model) -> Result<bool> {
+        const bool are_merged = std::ranges::all_of(merge.from, [&](ObjectId id) {
+          const ObjectState* part = model.find(id);
+          return part != nullptr && part->hidden && part->merged_into == merge.into;
+        });
+        if (!are_merged || !model.mergeRoot(merge.into)) return false;
+        return model.unmerge(merge).map([] { return true; });
+      });
+}
+
 Result<void> ObjectDatabase::remove(std::span<const ObjectId> objects) {
   return changeCatalogue(
       *connection_, [&](ObjectRows& rows) { return rows.read(objects); },

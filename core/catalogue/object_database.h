@@ -99,6 +99,8 @@ class ObjectDatabase {
   [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects,
                                           const Check& check = nothingToCheck);
   Result<void> unmerge(const ObjectMerge& merge);
+  /// The same, unless others have separated or deleted the objects since. Returns whether they were merged.
+  [[nodiscard]] Result<bool> revertMerge(const ObjectMerge& merge);
   Result<void> remove(std::span<const ObjectId> objects);
   Result<void> restore(std::span<const ObjectId> objects);
   [[nodiscard]] Result<bool> withdraw(ObjectId made);

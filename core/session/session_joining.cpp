@@ -54,11 +54,8 @@ Result<std::string> carryOut(ObjectDatabase& database, JoinedObjects joined) {
     joined.state = JoinedObjects::State::done;
     return joinedToText(joined);
   }
-  for (auto merge = joined.merges.rbegin(); merge != joined.merges.rend(); ++merge) {
-    const Result<ObjectId> root = database.mergeRoot(merge->from.front());
-    // Others may have separated or deleted them since.
-    if (root && *root == merge->into) SCANTROVE_TRY(database.unmerge(*merge));
-  }
+  for (auto merge = joined.merges.rbegin(); merge != joined.merges.rend(); ++merge)
+    SCANTROVE_TRY(database.revertMerge(*merge));
   return std::string();
 }
 

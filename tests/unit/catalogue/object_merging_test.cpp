@@ -226,6 +226,36 @@ TEST_F(ObjectMergingTest, UnmergeRestoresTheStateBefore) {
   EXPECT_EQ(visibleState(), before);
 }
 
+TEST_F(ObjectMergingTest, RevertedMergeLeavesWhatOthersDidSince) {
+  const ObjectId a = add(1), b = add(2), c = add(4);
+  const Result<ObjectMerge> joined = database_->merge(Ids{a, b});
+  ASSERT_TRUE(joined);
+  const ObjectId into = joined->into, part = joined->from.front();
+  // Somebody separates them, and merges the part by way of a third object.
+  EXPECT_TRUE(database_->unmerge(*joined));
+  EXPECT_FALSE(database_->revertMerge(*joined).value_or(true));
+  EXPECT_TRUE(database_->rename(c, "cup"));
+  EXPECT_TRUE(database_->merge(Ids{part, c}));
+  EXPECT_TRUE(database_->rename(into, "mug"));
+  EXPECT_TRUE(database_->merge(Ids{c, into}));
+  const std::string before = visibleState();
+  EXPECT_FALSE(database_->revertMerge(*joined).value_or(true));
+  EXPECT_EQ(visibleState(), before);
+}
+
+TEST_F(ObjectMergingTest, RevertedMergeParts_WhenTheObjectWasMergedAgain) {
+  const ObjectId a = add(1), b = add(2), c = add(4);
+  const Result<ObjectMerge> joined = database_->merge(Ids{a, b});
+  ASSERT_TRUE(joined);
+  EXPECT_TRUE(database_->rename(c, "mug"));
+  EXPECT_TRUE(database_->merge(Ids{joined->into, c}));
+  EXPECT_EQ(record(c).views, 7);
+  EXPECT_TRUE(database_->revertMerge(*joined).value_or(false));
+  const ObjectId part = joined->from.front();
+  EXPECT_EQ(*database_->mergeRoot(part), part);
+  EXPECT_EQ(record(c).views + record(part).views, 7);
+}
+
 TEST_F(ObjectMergingTest, ViewsFollowNestedMerges) {
   const ObjectId a = add(), b = add(2), c = add(4);
   EXPECT_TRUE(database_->setConfirmed({&b, 1}, true));
