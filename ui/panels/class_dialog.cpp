@@ -55,7 +55,12 @@ ClassDialog::ClassDialog(CatalogueEditor& editor, QWidget* parent)
     if (isVisible() && !update_timer_.isActive()) update_timer_.start(kUpdateInterval_ms);
   });
   update_timer_.setSingleShot(true);
-  connect(&update_timer_, &QTimer::timeout, this, &ClassDialog::readClasses);
+  connect(&update_timer_, &QTimer::timeout, this, [this] {
+    // Rows must not change below a text that is being typed.
+    const QWidget* const field = focusWidget();
+    const bool is_typing = field != nullptr && field != table_ && table_->isAncestorOf(field);
+    return is_typing ? update_timer_.start(kUpdateInterval_ms) : readClasses();
+  });
   // A refused text goes back to what the catalogue has.
   connect(&editor, &CatalogueEditor::failed, this, [this](const QString& text) {
     message_->setText(text);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QLineEdit>
 #include <QTableWidget>
 
 #include "tests/ui/window/window_fixture.h"
@@ -145,6 +146,25 @@ TEST_F(ClassDialogTest, RefusedNameGoesBack_AndIsExplained) {
                textAt(0, ClassDialog::kName) == QStringLiteral("seat");
       },
       3000));
+}
+
+TEST_F(ClassDialogTest, TypedTextStaysWithItsClass_WhenOthersDeleteOne) {
+  const auto idOf = [this](const char* name) {
+    const CatalogueModel catalogue = window_->editor().catalogue();
+    const ObjectClass* known = catalogue.classes().named(name);
+    return known != nullptr ? known->id : ClassId{};
+  };
+  const ClassId stool = idOf("stool");
+  ASSERT_EQ(textAt(1, ClassDialog::kName), QStringLiteral("stool"));
+  dialog()->table()->editItem(dialog()->table()->item(1, ClassDialog::kName));
+  auto* const field = dialog()->table()->findChild<QLineEdit*>();
+  ASSERT_NE(field, nullptr);
+  ASSERT_TRUE(ClassEditor(window_->editor()).hide({idOf("seat")}));
+  QTest::qWait(500);
+  field->setText(QStringLiteral("bench"));
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return idOf("bench") == stool; }, 3000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return dialog()->table()->rowCount() == 1; }, 3000));
 }
 
 TEST_F(ClassDialogTest, SelectedClassesMerge) {
