@@ -1,6 +1,7 @@
 #include "ui/main_window/project_page.h"
 
 #include <QFileInfo>
+#include <QTimer>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -51,7 +52,8 @@ void ProjectPage::perform(const QString& folder, SavedScanAction action) {
   window_.parts().messages->dismiss();
   switch (action) {
     case SavedScanAction::resume:
-      return continueScan(folder);
+      // Later: while the dialog is open the list may be read anew, which deletes the menu that was clicked.
+      return QTimer::singleShot(0, this, [this, folder] { continueScan(folder); });
     case SavedScanAction::refine:
       return window_.controller().refineSession(folder);
     case SavedScanAction::export_data:
