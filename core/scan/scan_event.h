@@ -105,6 +105,7 @@ struct ExportFinished {
 };
 struct ExportFailed {
   Error error;
+  bool is_preview = false;  ///< of PreviewExport or SampleExport; an export may be going on
 };
 /// `total`: frames of the picture or the video.
 struct RenderStepped {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/overloaded.h"
@@ -180,7 +181,7 @@ void ScanReview::report(const Result<Value>& outcome) {
   if (outcome) {
     listener_(Event{*outcome});
   } else {
-    listener_(ExportFailed{outcome.error()});
+    listener_(ExportFailed{outcome.error(), !std::is_same_v<Event, ExportFinished>});
   }
 }
 

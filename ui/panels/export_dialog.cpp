@@ -234,7 +234,10 @@ void ExportDialog::handleEvent(const ScanEvent& event) {
                         },
                         [this](const ExportStepped& e) { showProgress(e.progress); },
                         [this](const ExportFinished& e) { showDone(e.summary); },
-                        [this](const ExportFailed& e) { showFailure(e.error); }, [](const auto&) {}},
+                        [this](const ExportFailed& e) {
+                          if (!e.is_preview || !isWorking()) showFailure(e.error);
+                        },
+                        [](const auto&) {}},
              event);
 }
 

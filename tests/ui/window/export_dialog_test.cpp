@@ -140,6 +140,17 @@ TEST_F(ExportDialogTest, ShowsCounts_WithoutExporting) {
   EXPECT_TRUE(dialog_.message().contains(QStringLiteral("4 images")));
 }
 
+TEST_F(ExportDialogTest, FailedPreviewEndsNoExport) {
+  dialog_.handleEvent(ExportFailed{{"No image can be read.", ""}, true});
+  EXPECT_EQ(dialog_.message(), QStringLiteral("No image can be read."));
+  dialog_.count();
+  dialog_.handleEvent(ExportFailed{{"No image can be read.", ""}, true});
+  EXPECT_TRUE(dialog_.isWorking()) << "the image was asked for before";
+  dialog_.handleEvent(ExportFailed{{"The disk is full.", ""}});
+  EXPECT_FALSE(dialog_.isWorking());
+  EXPECT_EQ(dialog_.message(), QStringLiteral("The disk is full."));
+}
+
 // A screen of 1366 x 768 at scale 2.
 TEST_F(ExportDialogTest, FitsASmallScreen_WithAllItsParts) {
   chooseProject();
