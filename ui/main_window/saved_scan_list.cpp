@@ -51,6 +51,13 @@ QString detailsOf(const SessionSummary& scan) {
   return lines.join(QLatin1Char('\n'));
 }
 
+/// The trash's note about a folder in it (freedesktop.org), which moveToTrash() wrote.
+QString trashNoteOf(const QString& in_trash) {
+  const QFileInfo place(in_trash);
+  return QDir::cleanPath(place.path() + QStringLiteral("/../info/") + place.fileName() +
+                         QStringLiteral(".trashinfo"));
+}
+
 }  // namespace
 
 std::vector<SavedScanEntry> savedScansIn(const QString& folder) {
@@ -103,6 +110,8 @@ void DeleteScan::undo() {
   if (!QDir().rename(in_trash_, folder_)) {
     fail_(scantrove::SavedScansPanel::tr("The scan cannot be restored from the trash. It is in %1.")
               .arg(in_trash_));
+  } else {
+    QFile::remove(trashNoteOf(in_trash_));  // else the desktop shows a folder that is not there
   }
   done_();
 }

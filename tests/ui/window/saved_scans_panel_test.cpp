@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -106,6 +107,13 @@ TEST(DeleteScan, MovesTheFolderToTheTrash_AndUndoRestoresIt) {
   undo.undo();
   EXPECT_TRUE(QFile::exists(folder + QStringLiteral("/session.sqlite")));
   EXPECT_EQ(steps, 2);
+  const QDir notes(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+                   QStringLiteral("/Trash/info"));
+  for (const QFileInfo& entry : notes.entryInfoList(QDir::Files)) {
+    QFile note(entry.filePath());
+    EXPECT_FALSE(note.open(QIODevice::ReadOnly) && note.readAll().contains(folder.toUtf8()))
+        << "the trash has no note of a folder that is not there";
+  }
 }
 
 TEST(DeleteScan, ReportsAFailure_WhichIsNoUndoStep) {
