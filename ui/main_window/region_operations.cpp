@@ -278,10 +278,10 @@ QString RegionOperations::descriptionOf(const Operation& operation) const {
         return tr("Paint a new region in image %1").arg(operation.correction->image);
       // A reopened scan does not tell the image.
       if (!operation.correction) return tr("Correct mask of %1").arg(what);
-      return tr("Correct mask of %1 in image %2").arg(what).arg(operation.correction->image);
+      return tr("Correct mask of %1 in image %2").arg(what, QString::number(operation.correction->image));
     case OperationKind::unpaint:
       if (!operation.correction) return tr("Reset mask of %1").arg(what);
-      return tr("Reset mask of %1 in image %2").arg(what).arg(operation.correction->image);
+      return tr("Reset mask of %1 in image %2").arg(what, QString::number(operation.correction->image));
     case OperationKind::review:
       break;
   }

@@ -71,7 +71,7 @@ bool MessageBar::showText(Kind kind, const QString& text) {
   repeats_ = isVisibleTo(parentWidget()) && text == text_ ? repeats_ + 1 : 1;
   kind_ = kind;
   text_ = text;
-  label_->setText(repeats_ > 1 ? tr("%1  (%2 times)").arg(text).arg(repeats_) : text);
+  label_->setText(repeats_ > 1 ? tr("%1  (%2 times)").arg(text, QString::number(repeats_)) : text);
   setAccessibleName(text);
   paintKind();
   QFrame::show();

@@ -157,7 +157,7 @@ void ObjectFilterBar::updateEntries() {
   const QSignalBlocker blocker(shown_);
   shown_->clear();
   const auto add = [this](const QString& text, int count, Shown shown, ClassId class_id) {
-    shown_->addItem(tr("%1 (%2)").arg(text).arg(count), static_cast<int>(shown));
+    shown_->addItem(tr("%1 (%2)").arg(text, QString::number(count)), static_cast<int>(shown));
     shown_->setItemData(shown_->count() - 1, class_id.value, kClassIdRole);
     if (shown == filter_.shown() && class_id == filter_.shownClass())
       shown_->setCurrentIndex(shown_->count() - 1);

@@ -23,6 +23,15 @@ TEST(MessageBar, CountsRepetitionsAndKeepsErrors) {
   EXPECT_TRUE(bar.isHidden());
 }
 
+TEST(MessageBar, KeepsPercentSignsOfARepeatedText) {
+  QWidget parent;
+  MessageBar bar(&parent);
+  const QString text = QStringLiteral("The server db.example/my%2Fobjects does not answer.");
+  bar.show(MessageBar::Kind::warning, text);
+  bar.show(MessageBar::Kind::warning, text);
+  EXPECT_TRUE(bar.findChild<QLabel*>(QStringLiteral("messageText"))->text().startsWith(text));
+}
+
 TEST(MessageBar, OffersAnAction_UntilTheNextMessage) {
   QWidget parent;
   MessageBar bar(&parent);
