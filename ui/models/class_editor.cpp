@@ -18,15 +18,28 @@
 namespace scantrove {
 namespace {
 
-/// Makes the classes what they were `before` an import, as far as nothing else uses them.
-Result<void> revertImport(ObjectDatabase& database, const ClassTable& before) {
+/// What an import changed, to undo it.
+struct ImportEffect {
+  ClassTable before, after;
+};
+
+Result<ClassTable> classesIn(ObjectDatabase& database) {
+  const Result<CatalogueModel> catalogue = database.model();
+  if (!catalogue) return fail(catalogue.error());
+  return catalogue->classes();
+}
+
+/// Makes the classes what they were before an import, as far as nobody changed them since, and nothing else
+/// uses them.
+Result<void> revertImport(ObjectDatabase& database, const ImportEffect& effect) {
   const Result<CatalogueModel> catalogue = database.model();
   if (!catalogue) return fail(catalogue.error());
   std::vector<ClassId> to_hide;
   std::vector<ClassDraft> to_edit;
   for (const auto& [id, now] : catalogue->classes().all()) {
-    const ObjectClass* earlier = before.find(id);
-    if (now.hidden || (earlier != nullptr && *earlier == now)) continue;
+    const ObjectClass *earlier = effect.before.find(id), *imported = effect.after.find(id);
+    if (now.hidden || imported == nullptr || *imported != now) continue;
+    if (earlier != nullptr && *earlier == now) continue;
     if (earlier != nullptr) to_edit.push_back(draftOf(*earlier));
     // An object may have it by now; then it stays.
     if ((earlier == nullptr || earlier->hidden) && !catalogue->isUsed(id)) to_hide.push_back(id);
@@ -115,17 +128,16 @@ std::optional<ClassImport> ClassEditor::importFrom(const QString& file) {
     editor_.announce(list.error());
     return std::nullopt;
   }
-  const auto before = std::make_shared<ClassTable>();
+  const auto effect = std::make_shared<ImportEffect>();
   const auto imported = std::make_shared<ClassImport>();
   const bool is_done = editor_.perform(
       QObject::tr("Import classes from %1").arg(QFileInfo(file).fileName()),
-      asOneChange([before, imported, drafts = *list](ObjectDatabase& database) -> Result<void> {
-        const Result<CatalogueModel> catalogue = database.model();
-        if (!catalogue) return fail(catalogue.error());
-        *before = catalogue->classes();
-        return moveInto(*imported, database.classes().import(drafts));
+      asOneChange([effect, imported, drafts = *list](ObjectDatabase& database) -> Result<void> {
+        SCANTROVE_TRY(moveInto(effect->before, classesIn(database)));
+        SCANTROVE_TRY(moveInto(*imported, database.classes().import(drafts)));
+        return moveInto(effect->after, classesIn(database));
       }),
-      asOneChange([before](ObjectDatabase& database) { return revertImport(database, *before); }));
+      asOneChange([effect](ObjectDatabase& database) { return revertImport(database, *effect); }));
   return is_done ? std::optional(*imported) : std::nullopt;
 }
 

@@ -90,6 +90,25 @@ TEST_F(ClassEditorTest, ImportIsOneStep_AndItsUndoRestoresAll) {
   EXPECT_EQ(idOf("lamp"), ClassId{77}) << "with its id";
 }
 
+TEST_F(ClassEditorTest, UndoneImportLeavesWhatOthersDidSince) {
+  const QString list = folder_.filePath(QStringLiteral("list.csv"));
+  QFile file(list);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("id,name,supercategory,color\n,seat,furniture,\n77,lamp,,\n78,vase,,\n");
+  file.close();
+  ASSERT_TRUE(classes_.importFrom(list));
+  const auto others = ObjectDatabase::open(file_.toStdString());
+  ASSERT_TRUE(others);
+  ASSERT_TRUE((*others)->classes().add({.name = "desk"}));
+  ASSERT_TRUE((*others)->classes().edit({.id = ClassId{77}, .name = "lantern"}));
+  undo();
+  EXPECT_TRUE(idOf("desk"));
+  EXPECT_EQ(idOf("lantern"), ClassId{77});
+  EXPECT_FALSE(idOf("vase"));
+  const CatalogueModel catalogue = editor_.catalogue();
+  EXPECT_TRUE(catalogue.classes().named("seat")->supercategory.empty());
+}
+
 TEST_F(ClassEditorTest, ExportReplacesNoFile) {
   const QString list = folder_.filePath(QStringLiteral("classes.json"));
   ASSERT_TRUE(classes_.exportTo(list));
