@@ -58,6 +58,16 @@ Result<void> revertImport(ObjectDatabase& database, const ImportEffect& effect) 
   return database.classes().hide(to_hide);
 }
 
+/// What takes `edit` back from the class that was `before` it. Others may have changed the rest since.
+ClassDraft inverseOf(const ClassDraft& edit, const ObjectClass& before) {
+  ClassDraft inverse{.id = before.id};
+  if (!edit.name.empty()) inverse.name = before.name;
+  if (edit.color) inverse.color = before.color;
+  if (edit.supercategory) inverse.supercategory = before.supercategory;
+  if (edit.attributes) inverse.attributes = before.attributes;
+  return inverse;
+}
+
 }  // namespace
 
 std::vector<ListedClass> ClassEditor::classes() const {
@@ -97,8 +107,8 @@ bool ClassEditor::edit(const ClassDraft& draft) {
           ? QObject::tr("Rename class “%1” to “%2”").arg(name, QString::fromStdString(draft.name).trimmed())
           : QObject::tr("Edit class “%1”").arg(name),
       [before, draft](ObjectDatabase& database) { return moveInto(*before, database.classes().edit(draft)); },
-      [before](ObjectDatabase& database) -> Result<void> {
-        const Result<ObjectClass> edited = database.classes().edit(draftOf(*before));
+      [before, draft](ObjectDatabase& database) -> Result<void> {
+        const Result<ObjectClass> edited = database.classes().edit(inverseOf(draft, *before));
         if (!edited) return fail(edited.error());
         return {};
       });

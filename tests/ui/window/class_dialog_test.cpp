@@ -56,6 +56,18 @@ TEST_F(ClassEditorTest, RenameAndMergeAreUndone) {
   EXPECT_FALSE(idOf("chairs"));
 }
 
+TEST_F(ClassEditorTest, UndoneEditLeavesWhatOthersEditedSince) {
+  const ClassId seat = idOf("seat");
+  ASSERT_TRUE(classes_.edit({.id = seat, .name = "chairs"}));
+  const auto others = ObjectDatabase::open(file_.toStdString());
+  ASSERT_TRUE(others);
+  ASSERT_TRUE((*others)->classes().edit({.id = seat, .supercategory = "furniture"}));
+  undo();
+  EXPECT_EQ(idOf("seat"), seat);
+  const CatalogueModel catalogue = editor_.catalogue();
+  EXPECT_EQ(catalogue.classes().find(seat)->supercategory, "furniture");
+}
+
 TEST_F(ClassEditorTest, UsedClassIsNotDeleted) {
   QString message;
   QObject::connect(&editor_, &CatalogueEditor::failed, [&](const QString& text) { message = text; });
