@@ -104,7 +104,7 @@ WarpedThumbnail::WarpedThumbnail(const Thumbnail& query)
       const int stride = side + 2 * rim;
       for (int row = 0; row < 3 * side; ++row) {
         const int to = ((variant * 3 + row / side) * stride + row % side + rim) * stride + rim;
-        std::copy_n(&planes[indexAt(row * side)], side, &with_rim[indexAt(to)]);
+        std::copy_n(planes.data() + row * side, side, &with_rim[indexAt(to)]);
       }
     };
     put(copy.fine, FINE_SIDE, FINE_RIM, fine_);
