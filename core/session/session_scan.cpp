@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "core/editing/frame_review_states.h"
 #include "core/fusion/kernels/color_voxel.h"
@@ -13,14 +14,9 @@
 #include "core/session/key_frame_choice.h"
 #include "core/session/key_frame_files.h"
 #include "core/session/mask_corrections.h"
+#include "core/session/unknown_colors.h"
 
 namespace scantrove {
-namespace {
-
-/// Grey.
-constexpr std::array<std::uint8_t, 3> kUnknownColor{128, 128, 128};
-
-}  // namespace
 
 SessionScan::SessionScan(OpenSession& session) : session_(session) {
   std::map<int, const SavedFrame*> frames;
@@ -170,9 +166,13 @@ Result<LabeledMesh> SessionScan::mesh() {
   if (!surface) return fail(surface.error());
   LabeledMesh mesh;
   if (!*surface) return mesh;
-  for (const SurfaceMesh::Vertex& vertex : (*surface)->vertices)
+  std::vector<bool> has_color;
+  for (const SurfaceMesh::Vertex& vertex : (*surface)->vertices) {
     mesh.vertices.push_back({vertex.position, vertex.normal, vertex.color, regionOf(vertex.fragment.value)});
+    has_color.push_back(vertex.has_color);
+  }
   mesh.faces = std::move((*surface)->faces);
+  fillUnknownColors(mesh, std::move(has_color));
   return mesh;
 }
 

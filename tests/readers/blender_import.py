@@ -4,6 +4,9 @@ import json
 import sys
 
 import bpy
+import numpy
+
+numpy.bool = bool  # Debian 12: Blender's importer of glTF is older than its numpy
 
 for file in sys.argv[sys.argv.index("--") + 1 :]:
     bpy.ops.wm.read_factory_settings(use_empty=True)

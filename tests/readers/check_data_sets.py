@@ -415,6 +415,14 @@ class LabelStudioTest(Reader):
 class BopTest(Reader):
     format = "bop"
 
+    def surface_of(self, label):
+        """The same object in the meshes; None if they are not there."""
+        folder = self.root / "mesh"
+        if "scan" in label and folder.is_dir():
+            folder /= next(one["folder"] for one in read_json(folder / "scans.json") if one["scan"] == label["scan"])
+        files = list((folder / "objects").glob(f"{label['region']:06}*.ply"))
+        return decoders.xyz(decoders.ply(files[0])["vertex"]) if files else None
+
     def test_poses_masks_and_models(self):
         infos = read_json(self.at / "models/models_info.json")
         labels = read_json(self.at / "labels.json")
@@ -428,11 +436,11 @@ class BopTest(Reader):
             self.assertLessEqual(info["diameter"], np.linalg.norm(high - low) + 0.1)
             self.assertGreaterEqual(info["diameter"], (high - low).max() - 0.1)
             models[number] = points
-            box = labels[number]["box_m"]
-            if box is not None:  # the box of the voxels, in metres and along other axes
-                diagonal = 1000 * np.linalg.norm(np.subtract(box[1], box[0]))
-                self.assertLess(info["diameter"], 1.2 * diagonal + 20, "models are in millimetres")
-                self.assertGreater(info["diameter"], diagonal / 3 - 20, "models are in millimetres")
+            surface = self.surface_of(labels[number])
+            if surface is not None:  # in metres and along other axes
+                self.assertEqual(len(surface), len(points))
+                np.testing.assert_allclose(np.linalg.norm(points - points.mean(axis=0), axis=1),
+                                           1000 * np.linalg.norm(surface - surface.mean(axis=0), axis=1), atol=0.5)
         instances, least = 0, 1.0
         for scene in sorted(file.parent for file in self.at.rglob("scene_gt.json")):
             cameras, truth, details = (read_json(scene / f"scene_{name}.json") for name in ("camera", "gt", "gt_info"))
@@ -503,11 +511,15 @@ class FoundationPoseTest(Reader):
                 seen = is_in & (np.abs(depth[rows, columns] / 1000 - z) < 0.015)  # others are occluded or at the back
                 if np.count_nonzero(seen) < 50:
                     continue
-                parts.append((grown(mask > 0, 3)[rows[seen], columns[seen]].mean(), f"{folder.name} {stem}"))
-        worst = min(parts)
-        print(f"  foundationpose: {len(folders)} folders, {len(parts)} images; least visible part of a model "
-              f"on its mask {worst[0]:.3f} ({worst[1]}), median {np.median([part for part, _ in parts]):.3f}")
-        self.assertEqual([one for one in parts if one[0] < 0.95], [])
+                part = grown(mask > 0, 3)[rows[seen], columns[seen]].mean()
+                parts.append((part, np.count_nonzero(mask), f"{folder.name} {stem}"))
+        # Things that are 30 pixels wide are so far away that the noise of depth is larger than the bound for it.
+        large, small = ([one for one in parts if (one[1] >= 1000) == is_large] for is_large in (True, False))
+        print(f"  foundationpose: {len(folders)} folders; least visible part of a model on its mask "
+              f"{min(large, default=(1,))[0]:.3f} in {len(large)} images, {min(small, default=(1,))[0]:.3f} in "
+              f"{len(small)} where it has less than 1000 pixels")
+        self.assertEqual([one for one in large if one[0] < 0.95], [])
+        self.assertEqual([one for one in small if one[0] < 0.8], [])
 
 
 class BoxesTest(Reader):
@@ -610,10 +622,11 @@ class MeshTest(Reader):
             vertices = decoders.ply(scan / "scene.ply")["vertex"]
             for file in (scan / "objects").glob("*.ply"):
                 part = decoders.ply(file)["vertex"]
-                region = int(file.name[:6])
-                self.assertEqual(set(part["label"].tolist()) - {region}, set())
-                own = decoders.xyz(vertices[vertices["label"] == region])
-                np.testing.assert_allclose(own.max(axis=0), decoders.xyz(part).max(axis=0), atol=1e-5)
+                # Faces at a border have corners of the neighbour.
+                is_own = part["label"] == int(file.name[:6])
+                self.assertGreater(is_own.mean(), 0.7, file.name)
+                known = {tuple(one) for one in decoders.xyz(vertices)[vertices["label"] == int(file.name[:6])].round(5)}
+                self.assertLessEqual({tuple(one) for one in decoders.xyz(part)[is_own].round(5)}, known)
 
     def test_assimp_reads_them(self):
         if shutil.which("assimp") is None:

@@ -176,7 +176,9 @@ def pcd(path):
     )
     kind = []
     for place, (name, letter, size, count) in enumerate(fields):
-        kind.append((name if name != "_" else f"_{place}", kinds[letter + size], int(count)))
+        if count != "1":
+            raise ValueError(f"{path}: a field of {count} numbers")
+        kind.append((name if name != "_" else f"_{place}", kinds[letter + size]))
     points = np.frombuffer(data, np.dtype(kind), int(header["POINTS"]), end)
     if points.nbytes + end != len(data):
         raise ValueError(f"{path} has not the length that its header says")
