@@ -96,8 +96,9 @@ Result<cv::Mat> decodeGrayPng(Bytes bytes, const std::string& name) {
   SCANTROVE_TRY(decoder.readHeader());
   if (decoder.channels() == 1) return decoder.decodeGray();
   return fail(name + " is " + (decoder.is16Bit() ? "16-bit" : "8-bit") + " with " +
-                  std::to_string(decoder.channels()) + " channels; depth images are 16-bit with 1 channel.",
-              "Check that this is the depth folder and that the depth was saved as 16-bit PNG.");
+                  std::to_string(decoder.channels()) +
+                  " channels, not one: depth and label images are grey and 16-bit, masks grey and 8-bit.",
+              "Check that this is the right file or folder, and save it as a grey PNG without alpha.");
 }
 
 Result<cv::Mat> decodeAnyPng(Bytes bytes, const std::string& name) {

@@ -201,6 +201,9 @@ TEST_F(PaintedMasksTest, RefuseUnusablePaintings) {
                    {"Nothing is painted"});
   expectJobFailure(paint(written("deep.png", cv::Mat(480, 640, CV_16UC1, cv::Scalar::all(1))), frame, region),
                    {"deep.png", "8 bits"});
+  expectJobFailure(
+      paint(written("alpha.png", cv::Mat(480, 640, CV_8UC4, cv::Scalar::all(255))), frame, region),
+      {"alpha.png", "4 channels", "without alpha"});
   expectJobFailure(paint(folder_ / "missing.png", frame, region), {"missing.png"});
   expectJobFailure(session({"paint", "--frame", frame, "--region", region, "--add", "--polygon", "1,2,3,4"}),
                    {"no polygon"});
