@@ -151,9 +151,9 @@ spares "an unknown recording" "nowhere.oni" "$program" project scan project nowh
 broken() {
   rm -rf "$work/broken" && cp -r "$work/project" "$work/broken"
   printf "$2" >"$work/broken/scantrove-project.json"
-  for command in show list; do spares "project $command: $1" "scantrove-project.json" "$program" project "$command" broken; done
-  spares "project scan: $1" "scantrove-project.json" "$program" project scan broken demo --frames 4
-  spares "project export: $1" "scantrove-project.json" "$program" export --project broken --format coco --out other
+  for command in show list; do spares "project $command: $1" "broken" "$program" project "$command" broken; done
+  spares "project scan: $1" "broken" "$program" project scan broken demo --frames 4
+  spares "project export: $1" "broken" "$program" export --project broken --format coco --out other
 }
 broken "an empty file" ""
 broken "no JSON" "{not json"
