@@ -66,6 +66,10 @@ float matchDistance(const ViewDifference& difference) {
   return distance + kSize * difference.size + kOtherSize * std::max(difference.size - kSizeOfNoise, 0.0F);
 }
 
+MatchWeights matchWeights(bool has_colors) {
+  return {has_colors ? kShape : 1, has_colors ? kColors : 0, kSize, kOtherSize, kSizeOfNoise};
+}
+
 float objectDistance(std::vector<float> views) {
   SCANTROVE_CHECK(!views.empty());
   const float mean = meanOfSmallest(views, kNearestViews);  // sorts them

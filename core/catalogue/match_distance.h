@@ -26,6 +26,15 @@ struct ViewDifference {
 /// most by 1. Objects of the same colours differ by only half the SSD of their thumbnails.
 [[nodiscard]] float matchDistance(const ViewDifference& difference);
 
+/// The weights in matchDistance(), for a search that computes it of many views at once:
+/// shape * ViewDifference::shape + colors * ViewDifference::colors + size * ViewDifference::size, and
+/// other_size for each unit of size beyond size_of_noise.
+struct MatchWeights {
+  float shape, colors, size, other_size, size_of_noise;
+};
+/// Without colours the shape counts more, and the mean colours are not among these.
+[[nodiscard]] MatchWeights matchWeights(bool has_colors);
+
 /// The distance of an object from those of its compared views: mostly of the nearest, a little of the next
 /// two, because a view that is near by chance has no near neighbours. `views`: at least one.
 [[nodiscard]] float objectDistance(std::vector<float> views);

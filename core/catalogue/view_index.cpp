@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_set>
 
 namespace scantrove {
 namespace {
 
 constexpr int kMaxSamples = 256;  // views for fitting the components
 constexpr float kGrowthToRefit = 1.5F;
-constexpr int kEnoughViews = 2000;          // enough to represent more views: components are not fitted again
-constexpr std::size_t kWaitingViews = 256;  // views whose pixels wait for coordinates
-constexpr float kColorUnit = 40;            // CIE units of mean colour per unit of distance
+constexpr float kColorUnit = 40;  // CIE units of mean colour per unit of distance
 
 using Coarse = decltype(Thumbnail::coarse);
 
@@ -76,17 +75,25 @@ int ViewIndex::countObjects(int most) const {
 void ViewIndex::append(ObjectId first_object, const ViewDescriptor& descriptor,
                        const Eigen::Vector3f& size_m) {
   const Thumbnail& thumbnail = descriptor.thumbnail;
-  views_.push_back({ownerOf(first_object), thumbnail.mean_lab, size_m, energyOf(thumbnail.coarse), {}});
+  views_.push_back({ownerOf(first_object), thumbnail.mean_lab, size_m, energyOf(thumbnail.coarse)});
   colors_.push_back(descriptor.colors);
   networks_.push_back(descriptor.network);
+  if (sketches_.size() > 0) return sketches_.append(sketchOf(thumbnail.coarse, descriptor.colors, size_m));
   coarse_.push_back(thumbnail.coarse);
-  if (size() >= kEnoughViews && coarse_.size() >= kWaitingViews) updateComponents();
+  if (size() >= kManyViews) beginSketches();
+}
+
+void ViewIndex::beginSketches() {
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    sketches_.append(sketchOf(coarse_[i], colors_[i], views_[i].size_m));
+  coarse_ = {};
+  coordinates_ = {};
+  components_ = {};
 }
 
 void ViewIndex::updateComponents() {
   if (size() < kFewViews) return;
-  const bool grown = static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_);
-  if (views_at_fit_ < kEnoughViews && grown) {
+  if (static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_)) {
     const int samples = std::min(size(), kMaxSamples);
     cv::Mat rows;
     for (int i = 0; i < samples; ++i) {
@@ -95,13 +102,9 @@ void ViewIndex::updateComponents() {
     }
     components_ = cv::PCA(rows, cv::noArray(), cv::PCA::DATA_AS_ROW, Coordinates::channels);
     views_at_fit_ = size();
-    projected_ = 0;
+    coordinates_.clear();
   }
-  const std::size_t first_coarse = views_.size() - coarse_.size();
-  for (; projected_ < views_.size(); ++projected_) {
-    views_[projected_].coordinates = project(coarse_[projected_ - first_coarse]);
-  }
-  if (views_at_fit_ >= kEnoughViews) coarse_ = {};
+  while (coordinates_.size() < coarse_.size()) coordinates_.push_back(project(coarse_[coordinates_.size()]));
 }
 
 ViewIndex::Coordinates ViewIndex::project(const Coarse& coarse) const {
@@ -127,8 +130,9 @@ std::vector<ViewIndex::Ranked> ViewIndex::rank(const Query& query) const {
     ViewDifference probable{0, meanColorDistance(thumbnail.mean_lab, view.mean_lab), {}, 0, {}};
     probable.size = sizeDifference(query.size_m, view.size_m);
     if (has_components) {
-      const double ssd = std::min(cv::norm(straight, view.coordinates, cv::NORM_L2SQR),
-                                  cv::norm(flipped, view.coordinates, cv::NORM_L2SQR));
+      const Coordinates& coordinates = coordinates_[static_cast<std::size_t>(place)];
+      const double ssd = std::min(cv::norm(straight, coordinates, cv::NORM_L2SQR),
+                                  cv::norm(flipped, coordinates, cv::NORM_L2SQR));
       probable.shape = 2 * static_cast<float>(ssd) / std::max(energy + view.energy, 1.0F);
     }
     ranked.push_back({matchDistance(probable), place});
@@ -136,10 +140,38 @@ std::vector<ViewIndex::Ranked> ViewIndex::rank(const Query& query) const {
   return ranked;
 }
 
+bool ViewIndex::areOfTooFew(const std::vector<ViewSketches::Near>& near) const {
+  std::unordered_set<ObjectId> objects;
+  for (const ViewSketches::Near& one : near) objects.insert(mergeRootAt(one.place));
+  return std::ssize(objects) < countObjects(kObjectsToCompare);
+}
+
+std::vector<ViewIndex::Ranked> ViewIndex::rankBySketch(const Query& query) const {
+  const Thumbnail& thumbnail = query.descriptor.thumbnail;
+  const ViewSketch sketch = sketchOf(thumbnail.coarse, query.descriptor.colors, query.size_m);
+  const auto hasOwner = [this](int place) { return static_cast<bool>(mergeRootAt(place)); };
+  std::vector<ViewSketches::Near> near = sketches_.nearest(sketch, kNearBySketch, hasOwner);
+  // An object with very many views can hide all others.
+  for (std::size_t most = 8 * kNearBySketch; near.size() < views_.size() && areOfTooFew(near); most *= 8) {
+    const std::size_t before = near.size();
+    near = sketches_.nearest(sketch, most, hasOwner);
+    if (near.size() == before) break;  // all that have an owner
+  }
+  std::vector<Ranked> ranked;
+  ranked.reserve(near.size());
+  for (const ViewSketches::Near& one : near) {
+    ViewDifference probable = difference(query, one.place);
+    probable.shape = one.shape;
+    ranked.push_back({matchDistance(probable), one.place});
+  }
+  return ranked;
+}
+
 std::vector<int> ViewIndex::shortlist(const Query& query, int most) {
-  updateComponents();
-  std::vector<Ranked> ranked = rank(query);
-  const bool prune = !components_.eigenvectors.empty();
+  const bool has_sketches = sketches_.size() > 0;
+  if (!has_sketches) updateComponents();
+  std::vector<Ranked> ranked = has_sketches ? rankBySketch(query) : rank(query);
+  const bool prune = has_sketches || !components_.eigenvectors.empty();
   // A heap, because only a few of many views are taken; the nearest, then the first, is on top.
   const auto isAfter = [](const Ranked& a, const Ranked& b) {
     return a.distance > b.distance || (a.distance == b.distance && a.place > b.place);
@@ -160,15 +192,29 @@ std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> roots, const Query
                                     const Limits& limits) const {
   std::vector<int> places;
   if (roots.empty()) return places;
+  const std::unordered_set<ObjectId> asked(roots.begin(), roots.end());
   const float diagonal_m = query.size_m.norm();
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
+    const float color = meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab);
+    if (!(color < limits.max_distance)) continue;
     const bool fits =
         hasSize(query, place, limits.size_tolerance) || isPartOf(diagonal_m, view.size_m.norm());
-    if (fits && std::ranges::find(roots, merge_roots_[view.owner]) != roots.end() &&
-        meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
-      places.push_back(place);
+    if (fits && asked.contains(merge_roots_[view.owner])) places.push_back(place);
   }
+  if (sketches_.size() == 0 || places.size() <= kMostOfRoots) return places;
+  const ViewSketch sketch =
+      sketchOf(query.descriptor.thumbnail.coarse, query.descriptor.colors, query.size_m);
+  std::vector<Ranked> ranked;
+  for (const ViewSketches::Near& one : sketches_.at(sketch, places)) {
+    const View& view = views_[static_cast<std::size_t>(one.place)];
+    const float color = meanColorDistance(query.descriptor.thumbnail.mean_lab, view.mean_lab);
+    ranked.push_back({one.shape + color, one.place});
+  }
+  std::ranges::nth_element(ranked, ranked.begin() + kMostOfRoots, {}, &Ranked::distance);
+  places.clear();
+  for (std::size_t i = 0; i < kMostOfRoots; ++i) places.push_back(ranked[i].place);
+  std::ranges::sort(places);
   return places;
 }
 

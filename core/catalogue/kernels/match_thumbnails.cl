@@ -2,7 +2,7 @@
 //   D = 2 sum (q(x + t) - v(x))^2 / (sum q(x + t)^2 + sum v(x)^2)        0 = the same, 2 = unrelated
 // over the three channels. score_warps: D at 16 x 16 for every warp of every pair. refine_matches: the best of these,
 // then the best of +-1 pixel at 32 x 32, then each pixel uses the best of its 3 x 3 neighbours.
-// Sums are integers; 3 * 32 * 32 * 254^2 fits into 32 bits.
+// Sums are integers; 3 * 32 * 32 * 254^2 fits into 32 bits. The bytes of 700,000 views do not, so their offsets are size_t.
 #include "core/catalogue/kernels/thumbnail_layout.h"
 
 inline int sum16(const int16 v) {
@@ -22,7 +22,7 @@ kernel void score_warps(global const char* queries, global const char* views, gl
   const int variant = warp / THUMBNAIL_SHIFTS, shift = warp % THUMBNAIL_SHIFTS;
   global const char* q = queries + (pairs[pair].x * THUMBNAIL_VARIANTS + variant) * COARSE_QUERY_BYTES +
                          (shift / 3) * COARSE_STRIDE + shift % 3;
-  global const char* v = views + pairs[pair].y * COARSE_VIEW_BYTES;
+  global const char* v = views + (size_t)pairs[pair].y * COARSE_VIEW_BYTES;
   int16 ssd = 0, energy = 0;
   for (int c = 0; c < 3; ++c) {
     for (int y = 0; y < COARSE_SIDE; ++y) {
@@ -92,7 +92,7 @@ kernel void refine_matches(global const char* queries, global const char* views,
     }
   }
   const int shift = warp % THUMBNAIL_SHIFTS;
-  global const char* v = views + pairs[pair].y * FINE_VIEW_BYTES;
+  global const char* v = views + (size_t)pairs[pair].y * FINE_VIEW_BYTES;
   global const char* q = queries + (pairs[pair].x * THUMBNAIL_VARIANTS + warp / THUMBNAIL_SHIFTS) * FINE_QUERY_BYTES +
                          (FINE_RIM + 2 * (shift / 3 - 1)) * FINE_STRIDE + FINE_RIM + 2 * (shift % 3 - 1);
   smallest = MAXFLOAT;
