@@ -27,22 +27,29 @@ float energyOfNumbers(std::span<const std::int16_t> numbers) {
 template <std::size_t kCount>
 using Floats = std::array<float, kCount>;
 
+/// Views whose sums stay in registers.
+constexpr std::size_t kOfGroup = 16;
+/// A number of the query, as often as there are views in a group.
+using Repeated = std::array<std::int16_t, kOfGroup>;
+
 /// Sums of the products of the query's numbers with those of views that lie side by side. Both vectors have
 /// at most length 1, so the sums fit into 16 bits.
 template <std::size_t kNumbers, std::size_t kCount>
-Floats<kCount> sumProducts(const std::array<std::int16_t, kCount>* numbers, const std::int16_t* query) {
-  std::array<std::int16_t, kCount> total{};
-  for (std::size_t k = 0; k < kNumbers; ++k) {
-    const int factor = query[k];
-    for (std::size_t lane = 0; lane < kCount; ++lane) {
-      const auto product = static_cast<std::int16_t>((numbers[k][lane] * factor) >> 16);
-      total[lane] = static_cast<std::int16_t>(total[lane] + product);
-    }
-  }
+Floats<kCount> sumProducts(const std::array<std::int16_t, kCount>* numbers, const Repeated* query) {
+  static_assert(kCount % kOfGroup == 0);
   Floats<kCount> sums;
   constexpr float kRounding = 0.5F * static_cast<float>(kNumbers);  // each product was rounded down
-  for (std::size_t lane = 0; lane < kCount; ++lane)
-    sums[lane] = (static_cast<float>(total[lane]) + kRounding) * kProduct;
+  for (std::size_t group = 0; group < kCount; group += kOfGroup) {
+    std::array<std::int16_t, kOfGroup> total{};
+    for (std::size_t k = 0; k < kNumbers; ++k) {
+      for (std::size_t lane = 0; lane < kOfGroup; ++lane) {
+        const int product = (numbers[k][group + lane] * query[k][lane]) >> 16;
+        total[lane] = static_cast<std::int16_t>(total[lane] + static_cast<std::int16_t>(product));
+      }
+    }
+    for (std::size_t lane = 0; lane < kOfGroup; ++lane)
+      sums[group + lane] = (static_cast<float>(total[lane]) + kRounding) * kProduct;
+  }
   return sums;
 }
 
@@ -54,11 +61,14 @@ struct ViewSketches::Query {
       : sketch(of),
         shape_energy(energyOfNumbers(std::span(of.numbers).first(kShapeNumbers)) * of.length * of.length),
         color_energy(energyOfNumbers(std::span(of.numbers).last(ViewSketch::kColors))),
-        weights(matchWeights(of.has_colors)) {}
+        weights(matchWeights(of.has_colors)) {
+    for (std::size_t k = 0; k < repeated.size(); ++k) repeated[k].fill(of.numbers[k]);
+  }
 
   const ViewSketch& sketch;
   float shape_energy, color_energy;
   MatchWeights weights;
+  std::array<Repeated, ViewSketch::kNumbers> repeated;  // the sketch's numbers
 };
 
 void ViewSketches::append(const ViewSketch& sketch) {
@@ -78,7 +88,7 @@ void ViewSketches::append(const ViewSketch& sketch) {
 // Loops over lanes that write to local arrays alone: so the compiler turns them into vector instructions at
 // -O2 and without those of newer processors.
 void ViewSketches::compare(const Block& block, const Query& query, Compared& compared) {
-  const std::int16_t* numbers = query.sketch.numbers.data();
+  const Repeated* numbers = query.repeated.data();
   const Lanes<float> even = sumProducts<ViewSketch::kEven, kLanes>(block.numbers.data(), numbers);
   const Lanes<float> odd = sumProducts<ViewSketch::kOdd, kLanes>(block.numbers.data() + ViewSketch::kEven,
                                                                  numbers + ViewSketch::kEven);

@@ -207,7 +207,7 @@ class ManyViewsTest : public testing::Test {
 
 // Half of the queries show objects of the catalogue, the others do not.
 TEST_F(ManyViewsTest, NearestObjectIsThatOfAllViews) {
-  constexpr unsigned kObjects = 1000, kViewsOfEach = 5, kQueries = 100;
+  constexpr unsigned kObjects = 1000, kViewsOfEach = 5, kQueries = 60;
   for (unsigned i = 0; i < kObjects * kViewsOfEach; ++i)
     append(ObjectId{i % kObjects + 1}, nextView(sketchedView(i % kObjects), i), sketchedSize(i % kObjects));
   std::vector<int> places(all_.size());
@@ -245,7 +245,7 @@ TEST_F(ManyViewsTest, FollowsAdditionsAndRemovals) {
 
 TEST_F(ManyViewsTest, ShowsOtherObjects_WhenOneHasNearlyAllViews) {
   constexpr int kOthers = 12;
-  for (unsigned i = 0; i < ViewIndex::kManyViews + 3000; ++i)
+  for (unsigned i = 0; i < ViewIndex::kManyViews + 600; ++i)
     append(ObjectId{1}, nextView(sketchedView(1), i), sketchedSize(1));
   for (unsigned i = 0; i < kOthers; ++i) append(ObjectId{i + 2}, sketchedView(i + 2), sketchedSize(i + 2));
   std::set<ObjectId> objects;
