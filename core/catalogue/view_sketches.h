@@ -7,11 +7,11 @@
 
 namespace scantrove {
 
-/// The sketches of all views of a large catalogue, and the search that reads them all: 144 bytes a view.
+/// The sketches of all views of a large catalogue, and the search that reads them all: 128 bytes a view.
 /// Views are identified by index, 0 .. size() - 1. One thread.
 ///
-/// A plain scan, because it needs no time to build, finds what an exhaustive comparison finds, and costs
-/// less than what follows it. docs/benchmarks.md has the figures.
+/// A plain scan: views join and leave at no cost, nothing is built at the start, and 100,000 views take less
+/// than a millisecond. docs/benchmarks.md has the figures.
 class ViewSketches {
  public:
   struct Near {
