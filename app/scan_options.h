@@ -39,7 +39,8 @@ inline constexpr const char* kSourceHelp =
     "'camera', 'camera:URI', 'freenect' (Kinect v1), 'realsense' (series D400),\n"
     "'record3d' (iPhone on USB), 'demo', 'demo:room',\n"
     "'demo:wall', 'demo:corridor', or a random scene: 'demo:room:SEED' (also tabletop, sweep, moving,\n"
-    "hands). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no noise),\n"
+    "hands, turntable). A demo may end with ':uneven' (bumpy surfaces), ':drab' (low contrast), ':exact' (no "
+    "noise),\n"
     "':phone' (a telephone's camera), ':device' (poses of a phone that tracks itself) or, tabletop and "
     "room,\n"
     "with ':hard' (a camera that fails as real ones do)";

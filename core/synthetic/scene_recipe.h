@@ -32,6 +32,8 @@ struct SceneRecipe {
   Lights lights = {};
   std::optional<HardCamera> camera = {};  ///< none: KinectModel's noise alone
   bool is_hand_held = true;               ///< false: the camera has no tremor
+  /// World motion of the thing to which poses refer, the identity at time 0. None: poses are the world's.
+  std::function<Eigen::Isometry3d(double time_s)> reference = {};
 };
 
 // Recipes. Each source (room_scene.cpp, ...) defines one scene, or variants of one.
@@ -80,5 +82,10 @@ struct SceneRecipe {
 /// A fixed camera above a table. Two hands ("hand, left", "hand, right", no objects) take three things one
 /// after the other, hold them up and put them down elsewhere. 500 frames.
 [[nodiscard]] SceneRecipe makeRandomHandsScene(std::uint32_t seed);
+
+/// A fixed camera above a table looks at a turntable ("turntable", no object). On it an asymmetric printed
+/// thing ("thing") of 12 - 25 cm turns once around in 240 frames, while the room stands still. Poses are
+/// those of the camera around the thing, as if the thing stood still.
+[[nodiscard]] SceneRecipe makeRandomTurntableScene(std::uint32_t seed);
 
 }  // namespace scantrove::synthetic

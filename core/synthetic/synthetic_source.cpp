@@ -42,7 +42,9 @@ constexpr Demo kDemos[] = {
     {"corridor", synthetic::makeCorridorScene, nullptr, nullptr},
     {"moving", [] { return synthetic::makeRandomMovingScene(1); }, synthetic::makeRandomMovingScene, nullptr},
     {"hands", [] { return synthetic::makeRandomHandsScene(1); }, synthetic::makeRandomHandsScene,
-     synthetic::makeRandomHandsScene}};
+     synthetic::makeRandomHandsScene},
+    {"turntable", [] { return synthetic::makeRandomTurntableScene(1); }, synthetic::makeRandomTurntableScene,
+     nullptr}};
 
 /// Metres to 16-bit units; 0 for no reading or overflow.
 cv::Mat toUnits(const cv::Mat& z_m, float meters_per_unit) {
@@ -83,7 +85,9 @@ class RenderedSource final : public SyntheticSource {
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
   [[nodiscard]] const SyntheticScene& scene() const override { return recipe_.scene; }
   [[nodiscard]] Eigen::Isometry3d pose(int index) const override {
-    return trajectory_.pose(index / kFramesPerSecond);
+    const double time_s = index / kFramesPerSecond;
+    const Eigen::Isometry3d T_world_camera = trajectory_.pose(time_s);
+    return recipe_.reference ? recipe_.reference(time_s).inverse() * T_world_camera : T_world_camera;
   }
 
   [[nodiscard]] FrameRead next() override {
@@ -104,8 +108,8 @@ class RenderedSource final : public SyntheticSource {
     frame.timestamp_s =
         options_.frames_per_second ? number_of_frame / *options_.frames_per_second : index / kFramesPerSecond;
     frame.meters_per_unit = options_.meters_per_unit;
-    const Eigen::Isometry3d true_pose = pose(index);
-    frame.T_world_camera = device_ ? device_->pose(index) : true_pose;
+    frame.T_world_camera = device_ ? device_->pose(index) : pose(index);
+    const Eigen::Isometry3d true_pose = trajectory_.pose(index / kFramesPerSecond);  // in the room
     const Intrinsics K_depth = options_.phone.intrinsicsAt(frame.timestamp_s, options_.K);
     if (options_.phone.breathing > 0) frame.intrinsics = K_depth;
     const bool is_registered = !options_.color_camera;
@@ -282,12 +286,13 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     options.recipe = demo->recipe;
   }
   if (demo == std::end(kDemos) || !applyModes(options, *demo, modes)) {
-    return fail(
-        fmt::format("There is no demo scene '{}'.", scene),
-        "Choose tabletop, room, sweep, moving, hands, wall or corridor; add :7 for the random scene of that "
-        "seed (not of wall and corridor), :hard for a camera that fails as real ones do (tabletop and room), "
-        ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise, "
-        ":phone for a telephone's camera, :device for the poses of a phone that tracks itself.");
+    return fail(fmt::format("There is no demo scene '{}'.", scene),
+                "Choose tabletop, room, sweep, moving, hands, turntable, wall or corridor; add :7 for the "
+                "random scene "
+                "of that seed (not of wall and corridor), :hard for a camera that fails as real ones do "
+                "(tabletop and room), "
+                ":uneven for bumps on its surfaces, :drab for few colours, :exact for depth without noise, "
+                ":phone for a telephone's camera, :device for the poses of a phone that tracks itself.");
   }
   options.start = given.start;
   options.stride = given.stride;

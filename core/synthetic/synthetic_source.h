@@ -44,20 +44,21 @@ class SyntheticSource : public FrameSource {
  public:
   /// The scene at the last returned frame; before the first, its initial state.
   [[nodiscard]] virtual const SyntheticScene& scene() const = 0;
-  /// Exact T_world_camera of a frame, by its `RgbdFrame::index`.
+  /// Exact T_world_camera of a frame, by its `RgbdFrame::index`. Where the recipe has a reference, its world
+  /// is that of the thing there.
   [[nodiscard]] virtual Eigen::Isometry3d pose(int index) const = 0;
 };
 
 /// Error: no frame is selected, or the intrinsics are invalid.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
 
-/// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "hands", "wall" or "corridor". Suffixes in any
-/// order: ":7" selects the random scene of that seed, ":hard" its hard generation (tabletop, room; without a
-/// seed that of 1), ":exact" disables noise, ":uneven" adds bumps, ":drab" reduces the colours, ":phone"
-/// gives depth of 256 x 192 with confidence, a focal length that swings by 2.5 %, and a colour image of 960 x
-/// 720 for every third frame, ":device" gives the poses of a device that tracks itself. Intrinsics in
-/// `options` apply to the rendered depth (its size stays, that of colour too). Error: names the scene and
-/// lists the known ones.
+/// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "hands", "turntable", "wall" or "corridor".
+/// Suffixes in any order: ":7" selects the random scene of that seed, ":hard" its hard generation (tabletop,
+/// room; without a seed that of 1), ":exact" disables noise, ":uneven" adds bumps, ":drab" reduces the
+/// colours, ":phone" gives depth of 256 x 192 with confidence, a focal length that swings by 2.5 %, and a
+/// colour image of 960 x 720 for every third frame, ":device" gives the poses of a device that tracks itself.
+/// Intrinsics in `options` apply to the rendered depth (its size stays, that of colour too). Error: names the
+/// scene and lists the known ones.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);
 

@@ -18,6 +18,7 @@ std::vector<std::string> seeds() {
           "room:12:exact",
           "room:5:hard",
           "hands:2",
+          "turntable:4",
           "tabletop:phone",
           "red cup",
           "M\xC3\xBCsli \xE2\x80\xA8 \x1B[31m",
