@@ -29,6 +29,10 @@ struct RgbdFrame {
   /// size. None: SourceInfo::intrinsics.
   std::optional<Intrinsics> intrinsics = {};
 
+  /// The part of the colour image that is scanned, CV_8UC1, of any size: scaled like the image; 0: tracking
+  /// sees nothing there. Empty: all of it.
+  cv::Mat scanned = {};
+
   /// The recording's own pose, where it has one; SourceInfo::pose_origin.
   std::optional<Eigen::Isometry3d> T_world_camera;
   cv::Mat instances;  ///< ground truth, h x w, CV_16UC1, 0 = none; only from the synthetic scene

@@ -91,6 +91,18 @@ std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& inpu
   return candidate;
 }
 
+std::optional<Candidate> onlyObject(const RegionCensus& census, const DiscoveryInput& input,
+                                    int least_points) {
+  const auto largest = std::ranges::max_element(census.extents, {}, &RegionExtent::pixels);
+  if (largest == census.extents.end()) return std::nullopt;
+  std::optional<Candidate> object = candidateOf(largest->region, input, least_points);
+  if (!object) return std::nullopt;
+  object->outline = 1;
+  const cv::Rect inner(1, 1, input.view.K.width - 2, input.view.K.height - 2);
+  object->is_cut_off = (object->box_px & inner) != object->box_px;
+  return object;
+}
+
 std::vector<Candidate> candidatesOf(std::span<const RegionSet> sets, const DiscoveryInput& input,
                                     double least_pixels) {
   RegionCounter counter;

@@ -20,6 +20,12 @@ namespace scantrove {
 [[nodiscard]] std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& input,
                                                    int least_points);
 
+/// The largest region of the image as the only object of the scan, without applying the rules: nothing else
+/// is in the map, so its whole outline is its own. `census`: of the image. None if fewer than `least_points`
+/// of its pixels have a surface.
+[[nodiscard]] std::optional<Candidate> onlyObject(const RegionCensus& census, const DiscoveryInput& input,
+                                                  int least_points);
+
 /// Known objects as candidates, without applying the rules: those of `sets` of which this image shows at
 /// least `least_pixels` pixels, in order, with `outline`, `hidden` and `is_cut_off` (a tenth of the outline
 /// or more).

@@ -28,8 +28,9 @@ Result<std::unique_ptr<FrameTracking>> FrameTracking::create(ComputeContext& com
   };
   using enum PoseTracker::Predictor;
   SCANTROVE_TRY(
-      moveInto(tracking->tracker_, PoseTracker::create(compute, setup.params, view_map,
-                                                       setup.poses == PoseUse::predicted ? device : camera)));
+      moveInto(tracking->tracker_,
+               PoseTracker::create(compute, setup.params, view_map,
+                                   setup.poses == PoseUse::predicted ? device : camera, setup.filled_part)));
   return tracking;
 }
 

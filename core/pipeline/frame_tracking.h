@@ -32,6 +32,7 @@ class FrameTracking {
     Intrinsics K;  ///< of the recording
     FusionParams params;
     PoseUse poses = PoseUse::none;  ///< of RgbdFrame::T_world_camera
+    double filled_part = 1;         ///< PoseTracker::create
   };
   /// All outlive this. `map`: the camera is registered to it.
   [[nodiscard]] static Result<std::unique_ptr<FrameTracking>> create(ComputeContext& compute, DenseMap& map,

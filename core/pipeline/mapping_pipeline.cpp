@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/compute/guarded.h"
+#include "core/discovery/region_candidate.h"
 #include "core/discovery/rule_based_finder.h"
 #include "core/fusion/color_projection.h"
 #include "core/fusion/sensor_fit.h"
@@ -25,9 +26,9 @@ Result<std::unique_ptr<MappingPipeline>> MappingPipeline::create(ComputeContext&
   SCANTROVE_TRY(checkMapFits(params.fusion, setup.K, compute.memory()));
   std::unique_ptr<MappingPipeline> pipeline(new MappingPipeline(compute, setup));
   SCANTROVE_TRY(moveInto(pipeline->fusion_, MapFusion::create(compute, pipeline->timer_, params.fusion)));
-  SCANTROVE_TRY(
-      moveInto(pipeline->tracking_, FrameTracking::create(compute, pipeline->fusion_->map(), pipeline->timer_,
-                                                          {setup.K, params.fusion, setup.poses})));
+  SCANTROVE_TRY(moveInto(pipeline->tracking_,
+                         FrameTracking::create(compute, pipeline->fusion_->map(), pipeline->timer_,
+                                               {setup.K, params.fusion, setup.poses, setup.filled_part})));
   SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
   SCANTROVE_TRY(
       moveInto(pipeline->labels_, MapLabels::create(compute, pipeline->fusion_->bricks(),
@@ -147,6 +148,7 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
 
 std::vector<Support> MappingPipeline::supportsOf(const SegmentMap& segments, const Intrinsics& K) const {
   if (params_.labeling.rule != LabelingParams::Rule::graph) return {};
+  if (params_.segmentation.rule == SegmentationParams::Rule::whole) return {};
   return findSupports(segments, K);
 }
 
@@ -170,12 +172,22 @@ void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable&
   constexpr double kMinPart = 0.0005;  // of the image: a smaller part may be a remnant
   const auto pixels = static_cast<double>(result.view.K.pixels());
   result.regions_in_view = finder.census().regionsOfSize(kMinPart * pixels);
+  if (params_.segmentation.rule != SegmentationParams::Rule::whole) return;
+  const auto least_points = static_cast<int>(params_.discovery.min_points * result.view.K.pixelScale());
+  result.candidates.clear();
+  if (std::optional<Candidate> object = onlyObject(finder.census(), input, least_points)) {
+    object->is_complete = frames_ >= params_.discovery.persistent_frames && !object->is_cut_off;
+    result.candidates.push_back(std::move(*object));
+  }
 }
 
 void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable& table,
                                      FrameResult& observed) const {
   setRegions(observed.view, table);
   findCandidates(finder, table, {}, observed);
+  if (params_.segmentation.rule != SegmentationParams::Rule::whole) return;
+  constexpr float kCertain = 5;  // log-odds
+  for (Candidate& object : observed.candidates) object.objectness = kCertain;
 }
 
 void MappingPipeline::applyRegionEvents(const RegionEvents& events) {

@@ -32,6 +32,7 @@ class MappingPipeline {
     MappingParams params;
     PoseUse poses = PoseUse::none;        ///< of RgbdFrame::T_world_camera
     std::optional<int> frame_count = {};  ///< of the recording; empty for a live camera
+    double filled_part = 1;               ///< of the images, by surface: PoseTracker::create
   };
 
   /// `compute` outlives the pipeline. Error: the device has no room for one view of the map, or failed.

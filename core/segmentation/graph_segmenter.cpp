@@ -24,6 +24,7 @@ void GraphSegmenter::weigh(const SurfaceMaps& surface, const SegmentationParams&
 }
 
 SegmentMap GraphSegmenter::partition(const SegmentationParams& params) {
+  if (params.rule == SegmentationParams::Rule::whole) return wholeSurface();
   const std::span<const std::uint16_t> keys(
       edges_.keys.empty() ? nullptr : reinterpret_cast<const std::uint16_t*>(edges_.keys.data()),
       edges_.keys.size() * EDGE_DIRECTIONS);
@@ -45,6 +46,22 @@ SegmentMap GraphSegmenter::partition(const SegmentationParams& params) {
     components_.absorb(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]), min_pixels);
   }
   return number();
+}
+
+SegmentMap GraphSegmenter::wholeSurface() const {
+  SegmentMap map;
+  map.width = edges_.width;
+  map.height = edges_.height;
+  map.depths_m = edges_.depths_m;
+  map.ids.reserve(map.depths_m.size());
+  map.areas.assign(2, 0);
+  for (const float depth_m : map.depths_m) {
+    const std::uint32_t id = depth_m > 0 ? 1 : 0;
+    map.ids.push_back(id);
+    ++map.areas[id];
+  }
+  if (map.areas[1] == 0) map.areas.pop_back();
+  return map;
 }
 
 SegmentMap GraphSegmenter::number() {

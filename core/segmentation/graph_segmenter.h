@@ -36,6 +36,8 @@ class GraphSegmenter {
 
   /// Numbers the components 1, 2, ... by their first pixel.
   [[nodiscard]] SegmentMap number();
+  /// All surface as segment 1.
+  [[nodiscard]] SegmentMap wholeSurface() const;
 
   NormalRefiner refiner_;
   EdgeWeigher weigher_;

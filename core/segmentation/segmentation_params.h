@@ -4,6 +4,11 @@ namespace scantrove {
 
 /// Segmentation of one frame (thesis 3.2).
 struct SegmentationParams {
+  enum class Rule {
+    graph,  ///< thesis 3.2
+    whole,  ///< all surface of a frame is one segment: one object is scanned alone
+  };
+  Rule rule = Rule::graph;
   float k = 0.6F;     ///< the only parameter in the window: larger k, larger segments (eq. 3.4)
   int neighbors = 8;  ///< 4 or 8
   float max_distance_factor = 3.0F;  ///< d_max = factor * z / f ...

@@ -88,6 +88,8 @@ std::vector<ParamInfo> makeRegistry() {
              "memory of the map; the rest is stored on disk (0: a quarter of the machine's)"),
       number("fusion.working_width", f, &F::working_width, "px", 40, 1920,
              "width of the images in which tracking and segmentation run"),
+      choice("segmentation.rule", s, &S::rule, {"graph", "whole"},
+             "graph: by the shape of the surface; whole: all surface is one object (scan --object)"),
       number("segmentation.k", s, &S::k, "", 1e-6, 10, "larger k, larger segments (thesis eq. 3.4)"),
       number("segmentation.min_pixels", s, &S::min_pixels, "px", 0, 10000, "smaller segments are absorbed"),
       choice("labeling.rule", l, &L::rule, {"graph", "thesis"},

@@ -34,10 +34,18 @@ GrayView grayViewOf(const RgbdFrame& frame, const Intrinsics& K_depth) {
     const double scale = static_cast<double>(kWidest_px) / view.image.cols;
     cv::resize(view.image, view.image, {}, scale, scale, cv::INTER_AREA);
   }
+  blankUnscanned(view.image, frame.scanned);
   view.K = (frame.color_camera ? frame.color_camera->K : frame.intrinsics.value_or(K_depth))
                .resizedTo(view.image.cols, view.image.rows);
   if (frame.color_camera) view.T_color_depth = frame.color_camera->T_color_depth;
   return view;
+}
+
+void blankUnscanned(cv::Mat& gray, const cv::Mat& scanned) {
+  if (scanned.empty()) return;
+  cv::Mat is_scanned;
+  cv::resize(scanned, is_scanned, gray.size(), 0, 0, cv::INTER_NEAREST);
+  gray.setTo(cv::mean(gray, is_scanned), is_scanned == 0);
 }
 
 SurfaceInView::SurfaceInView(const Intrinsics& K, const Eigen::Isometry3d& T_world_color,

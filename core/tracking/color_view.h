@@ -22,6 +22,10 @@ struct GrayView {
 /// `K_depth`: of depth images of frames without their own intrinsics.
 [[nodiscard]] GrayView grayViewOf(const RgbdFrame& frame, const Intrinsics& K_depth);
 
+/// Makes what is not scanned uniform in a grey image of the frame, so that no corners are found there.
+/// `scanned`: RgbdFrame::scanned.
+void blankUnscanned(cv::Mat& gray, const cv::Mat& scanned);
+
 /// The map's surface as seen by a colour camera.
 class SurfaceInView {
  public:

@@ -37,6 +37,7 @@ cv::Mat thumbnailOf(const RgbdFrame& frame) {
   if (!frame.color.empty()) {
     cv::resize(frame.color, small, kThumbnail, 0, 0, cv::INTER_AREA);
     cv::cvtColor(small, small, cv::COLOR_BGR2GRAY);
+    blankUnscanned(small, frame.scanned);
     small.convertTo(small, CV_32F);
   } else {
     cv::resize(usableDepth(frame), small, kThumbnail, 0, 0, cv::INTER_NEAREST);

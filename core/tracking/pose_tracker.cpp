@@ -36,8 +36,10 @@ constexpr ViewReach kElsewhere{.angle_rad = 0.5, .distance_m = 0.3};
 }  // namespace
 
 Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute, const FusionParams& params,
-                                                         ModelView view_model, Predictor predictor) {
+                                                         ModelView view_model, Predictor predictor,
+                                                         double filled_part) {
   std::unique_ptr<PoseTracker> tracker(new PoseTracker(compute, params, std::move(view_model), predictor));
+  tracker->filled_part_ = filled_part;
   SCANTROVE_TRY(moveInto(tracker->aligner_, SurfaceAligner::create(compute, params.depth_noise_m)));
   return tracker;
 }
@@ -155,7 +157,7 @@ PoseEstimate PoseTracker::begin(const RgbdFrame& frame, const DepthPyramid& dept
   depth.levels.front().vertices_camera.read(compute_.queue(), std::span(vertices));
   const auto readings = std::ranges::count_if(vertices, [](const cl_float4& v) { return v.s[3] > 0; });
   PoseEstimate pose;
-  if (static_cast<double>(readings) >= kMinDepthToBegin * pixels) {
+  if (static_cast<double>(readings) >= kMinDepthToBegin * filled_part_ * pixels) {
     pose.state = TrackingState::tracking;
     pose.inlier_fraction = 1;
     if (device_ && frame.T_world_camera) pose.T_world_camera = *frame.T_world_camera;
@@ -172,7 +174,9 @@ std::vector<Eigen::Isometry3d> PoseTracker::predict(const SurfaceMaps& model) co
 
 PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                 GuessOrigin origin) const {
-  return judgePose(outcome, begin, origin, static_cast<double>(params_.depth_noise_m));
+  IcpOutcome filled = outcome;
+  filled.pixels = static_cast<int>(filled_part_ * outcome.pixels);
+  return judgePose(filled, begin, origin, static_cast<double>(params_.depth_noise_m));
 }
 
 PoseEstimate PoseTracker::recover(Search& search) {

@@ -41,10 +41,13 @@ class PoseTracker {
     device   ///< RgbdFrame::T_world_camera, of a device that tracks itself; the map begins in its world
   };
 
+  /// `filled_part`: of the images, that the surface may fill at least. 1 for a room; a single object fills
+  /// less, and the limits for known surface in view are parts of this.
   [[nodiscard]] static Result<std::unique_ptr<PoseTracker>> create(ComputeContext& compute,
                                                                    const FusionParams& params,
                                                                    ModelView view_model,
-                                                                   Predictor predictor = Predictor::camera);
+                                                                   Predictor predictor = Predictor::camera,
+                                                                   double filled_part = 1);
 
   /// The first part of tracking a frame: its pose by the surface alone and, where landmarks are likely to be
   /// needed, by landmarks.
@@ -166,6 +169,7 @@ class PoseTracker {
 
   ComputeContext& compute_;
   FusionParams params_;
+  double filled_part_ = 1;
   ModelView view_model_;
   std::unique_ptr<SurfaceAligner> aligner_;
   SurfaceMaps verified_;  // the map rendered near the last verified pose
