@@ -6,6 +6,7 @@
 #include "app/core_application.h"
 #include "app/frame_use.h"
 #include "app/kernel_cache_use.h"
+#include "app/object_options.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
 #include "app/text_check.h"
@@ -25,6 +26,7 @@ struct ScanArguments {
   bool record = false;
   bool overwrite = false;
   bool skip_refinement = false;
+  ObjectOptions object;
 };
 
 void printSummary(const ScanReport& report, const std::string& out) {
@@ -108,12 +110,15 @@ void addScanCommand(CLI::App& app, CommandJob& job) {
                 "replace result files in DIR that no scan wrote; other files stay")
       ->excludes("--resume");
   command->options.addTo(*sub);
+  command->object.addTo(*sub);
   sub->callback([command, &job] {
     if (command->out.empty() == command->resume.empty()) {
       throw CLI::ValidationError("--out",
                                  "is the folder of a new scan, --resume of an earlier one. Give one of them");
     }
-    job = [command, request = command->options.toRequest()] { return scan(*command, request); };
+    ScanRequest request = command->options.toRequest();
+    request.object = command->object.toChoice();
+    job = [command, request] { return scan(*command, request); };
   });
 }
 

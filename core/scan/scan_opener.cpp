@@ -27,6 +27,12 @@ namespace {
 /// Tolerance of focal lengths and centres of one lens, and of one that focuses during recordings.
 constexpr float kSameLens = 0.01F, kSameFocusingLens = 0.05F;
 
+/// Voxels for a single object, which is near: as fine as the camera's pixels there allow.
+float voxelOfObject(const Intrinsics& K) {
+  constexpr float kFinest_m = 0.003F, kUsualDepth_m = 0.7F, kVoxelsPerFootprint = 1.5F;
+  return std::max(kFinest_m, kVoxelsPerFootprint * kUsualDepth_m / K.fx);
+}
+
 /// The same resolution, and the same lens.
 bool isSameCamera(const Intrinsics& a, const Intrinsics& b, float tolerance) {
   const auto isNear = [&](float x, float y, float scale) { return std::abs(x - y) <= tolerance * scale; };
@@ -45,6 +51,7 @@ Result<ScanParts> ScanOpener::open(const ScanRequest& request, const ScanListene
 }
 
 Result<void> ScanOpener::openAll() {
+  SCANTROVE_TRY(chooseObject());
   SCANTROVE_TRY(checkFolder());
   SCANTROVE_TRY(checkCatalogueName(parts_.request.database));  // before a session keeps the name
   SCANTROVE_TRY(openFrames());
@@ -64,6 +71,17 @@ Result<void> ScanOpener::openAll() {
   SCANTROVE_TRY(openSession(info));
   if (parts_.poseUse() != PoseUse::none && !request.refine_session) takePoses();
   return openMap();
+}
+
+Result<void> ScanOpener::chooseObject() {
+  ScanRequest& request = parts_.request;
+  if (!request.object || request.refine_session) return {};
+  if (request.resume) {
+    return fail("A scan of one object cannot be continued: nothing tells where the object stands now.",
+                "Scan it into a folder of its own.");
+  }
+  request.params.segmentation.rule = SegmentationParams::Rule::whole;
+  return {};
 }
 
 Result<void> ScanOpener::checkFolder() const {
@@ -92,6 +110,8 @@ void ScanOpener::fitMapToSensor() {
   }
   parts_.source = std::move(source);
   FusionParams& fusion = parts_.request.params.fusion;
+  if (parts_.request.object && fusion.voxel_size_m == kAutomatic)
+    fusion.voxel_size_m = voxelOfObject(parts_.sensor.K);
   const FusionParams asked = std::exchange(fusion, fitToSensor(fusion, parts_.sensor));
   if (asked.voxel_size_m == fusion.voxel_size_m || fusion.voxel_size_m == FusionParams{}.voxel_size_m) return;
   spdlog::info("{}: a depth pixel covers {:.1f} mm at {:.1f} m, so the map has voxels of {:.1f} mm.",

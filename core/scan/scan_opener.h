@@ -27,6 +27,8 @@ class ScanOpener {
   }
 
   [[nodiscard]] Result<void> openAll();
+  /// Parameters for scanning one object alone. Error: the request continues a scan.
+  [[nodiscard]] Result<void> chooseObject();
   /// Error: the folder contains files of others.
   [[nodiscard]] Result<void> checkFolder() const;
   /// Opens the source of the frames; to refine a session, the session.

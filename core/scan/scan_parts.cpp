@@ -8,7 +8,9 @@ PoseUse ScanParts::poseUse() const {
   if (takesGivenPoses()) return PoseUse::given;
   const SourceInfo& info = source->info();
   const bool are_by_device = info.has_poses && info.pose_origin == PoseOrigin::device;
-  const bool are_used = request.poses == ScanRequest::Poses::automatic && are_by_device;
+  // They are of the camera in the room, in which a single object may turn.
+  const bool are_used =
+      request.poses == ScanRequest::Poses::automatic && are_by_device && !request.object.has_value();
   return are_used ? PoseUse::predicted : PoseUse::none;
 }
 
@@ -21,8 +23,10 @@ Result<void> ScanParts::makeMap(ObjectDatabase& database,
                                 const std::function<void(MappingPipeline&)>& give_up) {
   const SourceInfo& info = source->info();
   std::unique_ptr<MappingPipeline> map;
-  SCANTROVE_TRY(moveInto(map, MappingPipeline::create(
-                                  *compute, {info.intrinsics, request.params, poseUse(), info.frame_count})));
+  constexpr double kFilledByObject = 0.12;  // of the image, by a single object
+  SCANTROVE_TRY(moveInto(
+      map, MappingPipeline::create(*compute, {info.intrinsics, request.params, poseUse(), info.frame_count,
+                                              request.object ? kFilledByObject : 1.0})));
   CatalogueWriter::Options catalogue;
   catalogue.database = request.database;
   catalogue.source = info.name;

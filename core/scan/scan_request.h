@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
+#include "core/pipeline/object_mask.h"
 #include "core/session/scan_params.h"
 
 namespace scantrove {
@@ -26,6 +27,9 @@ struct ScanRequest {
   /// As for openSource. Empty: no scan; the session in `output_folder` is opened for review.
   std::string source;
   SourceOptions source_options;
+  /// Scan this object alone: the plane below it and the room are left out, poses are relative to it, and a
+  /// device's own poses are not used. Not with `resume`.
+  std::optional<ObjectChoice> object = {};
   Poses poses = Poses::automatic;  ///< with `resume`, automatic continues as the session was scanned
   ScanParams params;
   std::string device;    ///< as for chooseDevice

@@ -18,6 +18,15 @@
 namespace scantrove {
 namespace {
 
+constexpr int kFramesToFindObject = 30;
+
+Error noObjectFound() {
+  return {
+      "No object was found near the middle of the image.",
+      "Put it there, 0.4 to 1 m from the camera, alone on a flat surface that shows around it, or say where "
+      "it is with --object-at."};
+}
+
 double peakMemoryMegabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -38,6 +47,8 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanL
   run->advisor_.emplace(parts.request.params.fusion.max_depth_m);
   if (!request.pictures) snapshots.omitPictures();
   run->adviseOnDepthScale();
+  if (parts.request.object && !request.refine_session)
+    run->object_.emplace(parts.source->info().intrinsics, *parts.request.object);
   snapshots.setLabels({[&parts] { return parts.objects->labels(); },
                        [&parts](SeenObject& seen) { parts.objects->collector().objects().describe(seen); }});
   if (request.refine_session) snapshots.addBricks(parts.pipeline->readout().allBricks());
@@ -74,13 +85,21 @@ Result<ScanRun::Step> ScanRun::step() {
 
 Result<void> ScanRun::process(RgbdFrame frame) {
   const auto start = std::chrono::steady_clock::now();
-  Result<FrameResult> result = parts_.pipeline->processFrame(frame, [this]() -> std::optional<RgbdFrame> {
-    next_read_ = parts_.source->nextIfReady();
-    if (!next_read_ || next_read_->status != FrameRead::Status::frame) return std::nullopt;
-    if (next_read_->is_reconnected) return std::nullopt;  // tracking has to know first
-    return next_read_->frame;
-  });
+  const RgbdFrame whole = frame;
+  MappingPipeline::NextFrame next;
+  if (object_) {
+    frame = object_->apply(whole);  // its mask needs the pose of the frame before, so none is prepared early
+  } else {
+    next = [this]() -> std::optional<RgbdFrame> {
+      next_read_ = parts_.source->nextIfReady();
+      if (!next_read_ || next_read_->status != FrameRead::Status::frame) return std::nullopt;
+      if (next_read_->is_reconnected) return std::nullopt;  // tracking has to know first
+      return next_read_->frame;
+    };
+  }
+  Result<FrameResult> result = parts_.pipeline->processFrame(frame, next);
   if (!result) return fail(result.error());
+  if (object_ && result->pose.usable()) object_->follow(result->pose.T_world_camera);
   Result<FrameObjects> objects = parts_.objects->addFrame(frame, *result);
   if (!objects) return fail(objects.error());
   parts_.pipeline->timer().endFrame();
@@ -95,12 +114,12 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   if (parts_.local_poses != nullptr) parts_.setOrigin(parts_.local_poses->origin());
   if (parts_.output) SCANTROVE_TRY(parts_.output->addFrame(frame, *result));
   if (parts_.recorder) keepFrame(frame, *result);
-  const RgbdFrame shown = frame;
   result->observed = {};
   result->candidates.clear();
   snapshots_.addFrame(*parts_.pipeline, std::move(frame), std::move(*result), std::move(objects->seen));
-  if (const std::optional<Error> advice = advisor_->addFrame(shown, is_usable)) advise(*advice);
-  return restartIfMisled(shown.index);
+  if (const std::optional<Error> advice = advisor_->addFrame(whole, is_usable)) advise(*advice);
+  if (object_ && !object_->isFound() && tally_->frames().read == kFramesToFindObject) advise(noObjectFound());
+  return restartIfMisled(whole.index);
 }
 
 Result<void> ScanRun::skip(const FrameRead& read) {
@@ -121,6 +140,7 @@ Result<void> ScanRun::restartIfMisled(int frame_index) {
   if (!database) return fail(database.error());
   SCANTROVE_TRY(
       parts_.makeMap(**database, [this](MappingPipeline& given_up) { snapshots_.restart(given_up); }));
+  if (object_) object_->restart();
   tally_->restart();
   if (parts_.recorder) parts_.recorder->restart();
   if (parts_.output) parts_.output->restart();
@@ -183,9 +203,11 @@ bool ScanRun::applyCatalogueChanges() {
 
 void ScanRun::setParams(const ScanParams& params) {
   const FusionParams fusion = parts_.request.params.fusion;  // fixed for the life of the map
+  const SegmentationParams::Rule rule = parts_.request.params.segmentation.rule;  // of the kind of scan
   parts_.request.params = params;
   parts_.request.params.fusion = fusion;
-  parts_.pipeline->setParams(params);
+  parts_.request.params.segmentation.rule = rule;
+  parts_.pipeline->setParams(parts_.request.params);
   parts_.objects->collector().setParams(params.detection);
 }
 

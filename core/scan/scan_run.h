@@ -7,6 +7,7 @@
 
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
+#include "core/pipeline/object_mask.h"
 #include "core/scan/camera_watch.h"
 #include "core/scan/scan_advisor.h"
 #include "core/scan/scan_event.h"
@@ -97,6 +98,7 @@ class ScanRun {
   ScanListener listener_;
   SnapshotBuilder snapshots_;
   ScanParts parts_;
+  std::optional<ObjectMask> object_;              // the only one that is scanned
   std::optional<FrameRead> next_read_;            // read from the source ahead of time
   bool is_recording_noted_ = false;               // in the session
   std::optional<Eigen::Vector3d> stored_origin_;  // there: ScanParts::origin_world
