@@ -257,6 +257,14 @@
 <context>
     <name>scantrove::CameraDialog</name>
     <message>
+        <source>Scan &amp;one object</source>
+        <translation>Nur &amp;ein Objekt scannen</translation>
+    </message>
+    <message>
+        <source>Scan what stands near the middle of the first image alone, on a turntable or in a hand. The surface below it and the room are left out.</source>
+        <translation>Nur das scannen, was nahe der Mitte des ersten Bildes steht, auf einem Drehteller oder in der Hand. Die Fläche darunter und der Raum bleiben weg.</translation>
+    </message>
+    <message>
         <source>Choose a camera</source>
         <translation>Kamera wählen</translation>
     </message>
@@ -3728,6 +3736,14 @@ Alles andere geht. Mesas llvmpipe stellt es auf jedem Rechner bereit.</translati
     <message>
         <source>all</source>
         <translation>alle</translation>
+    </message>
+    <message>
+        <source>Scan &amp;one object</source>
+        <translation>Nur &amp;ein Objekt scannen</translation>
+    </message>
+    <message>
+        <source>Scan what stands near the middle of the first image alone, on a turntable or in a hand. The surface below it and the room are left out.</source>
+        <translation>Nur das scannen, was nahe der Mitte des ersten Bildes steht, auf einem Drehteller oder in der Hand. Die Fläche darunter und der Raum bleiben weg.</translation>
     </message>
     <message>
         <source>Open with options</source>

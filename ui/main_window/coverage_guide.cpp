@@ -47,7 +47,8 @@ CoverageGuide::CoverageGuide(RegionSelection& selection, ScenePane& scene, Objec
   connect(scene_.view(), &SceneView::drawn, this, &CoverageGuide::placeLabel, Qt::QueuedConnection);
 }
 
-void CoverageGuide::beginScan() {
+void CoverageGuide::beginScan(bool is_one_object) {
+  is_one_object_ = is_one_object;
   camera_.reset();
   update();
 }
@@ -81,10 +82,18 @@ void CoverageGuide::showObjects() {
   objects_.setSeenSides(std::move(sides));
 }
 
+std::vector<RegionId> CoverageGuide::guided() const {
+  const auto& selected = selection_.selected();
+  const RegionInfos& infos = selection_.infos();
+  if (!selected.empty() || !is_one_object_ || infos.empty()) return {selected.begin(), selected.end()};
+  return {std::ranges::max_element(infos, {}, &RegionInfo::voxels)->region};
+}
+
 void CoverageGuide::update() {
   ViewCoverage coverage;
-  bool is_object = !selection_.selected().empty();
-  for (const RegionId region : selection_.selected()) {
+  const std::vector<RegionId> regions = guided();
+  bool is_object = !regions.empty();
+  for (const RegionId region : regions) {
     const RegionInfo* const info = selection_.info(region);
     is_object = is_object && info != nullptr && !info->note.background && !info->note.rejected;
     if (is_object) coverage.add(info->seen_from);
@@ -119,8 +128,8 @@ void CoverageGuide::showArrow(const SeenSides& seen) {
 }
 
 void CoverageGuide::findBox() {
-  const std::vector<RegionId>& selected = selection_.selected();
-  box_ = scene_.view()->scene().cloud().boundsOf({selected.begin(), selected.end()});
+  const std::vector<RegionId> regions = guided();
+  box_ = scene_.view()->scene().cloud().boundsOf({regions.begin(), regions.end()});
   since_box_.start();
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/scan/scan_snapshot.h"
 
@@ -16,7 +17,7 @@ class RegionSelection;
 class ScenePane;
 
 /// Shows the user from which sides objects were seen: rings in the object list, a ring for the selection in
-/// the 3D view, and an arrow to the next viewpoint.
+/// the 3D view, and an arrow to the next viewpoint. Where one object alone is scanned, it needs no selection.
 class CoverageGuide : public QObject {
   Q_OBJECT
 
@@ -24,7 +25,8 @@ class CoverageGuide : public QObject {
   /// All of these outlive the guide.
   CoverageGuide(RegionSelection& selection, ScenePane& scene, ObjectListModel& objects, QObject* parent);
 
-  void beginScan();
+  /// `is_one_object`: ScanRequest::object.
+  void beginScan(bool is_one_object);
   void showSnapshot(const ScanSnapshot& snapshot);
 
   /// Switches the arrow; stored between runs.
@@ -35,6 +37,8 @@ class CoverageGuide : public QObject {
   [[nodiscard]] const std::optional<Eigen::Vector3f>& targetDirection() const { return target_direction_; }
 
  private:
+  /// The selection or, in a scan of one object without a selection, that object.
+  [[nodiscard]] std::vector<RegionId> guided() const;
   void update();
   void showObjects();
   void showArrow(const SeenSides& seen);
@@ -50,6 +54,7 @@ class CoverageGuide : public QObject {
   SideAxes axes_of_objects_;
   Eigen::AlignedBox3f box_;                ///< of the selection
   QElapsedTimer since_box_;                ///< since box_ was computed; invalid: the selection changed
+  bool is_one_object_ = false;             ///< the scan is of one object alone
   std::optional<Eigen::Vector3f> camera_;  ///< position, world; none: no camera that can move
   std::optional<SeenSides> shown_;
   std::optional<Eigen::Vector3f> target_direction_;

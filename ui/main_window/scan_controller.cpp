@@ -63,6 +63,7 @@ void ScanController::openSession(const QString& folder) {
   is_continued_ = false;
   source_.clear();
   request_.source.clear();
+  request_.object.reset();
   request_.output_folder = folder.toStdString();
   emit opening(folder);
   bridge_.post(StartScan{request_});
@@ -81,6 +82,7 @@ void ScanController::refineSession(const QString& folder) {
   is_continued_ = false;
   source_.clear();
   request_.source.clear();
+  request_.object.reset();
   request_.output_folder = folder.toStdString();
   refine();
 }
@@ -92,6 +94,7 @@ void ScanController::continueSession(const QString& folder, const QString& sourc
   request_.source = source.toStdString();
   request_.source_options = options;
   request_.poses = poses;
+  request_.object.reset();
   request_.output_folder = folder.toStdString();
   ScanRequest request = request_;
   request.resume = true;
@@ -101,12 +104,14 @@ void ScanController::continueSession(const QString& folder, const QString& sourc
   bridge_.post(StartScan{std::move(request)});
 }
 
-void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses) {
+void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses,
+                          const std::optional<ObjectChoice>& object) {
   if (const OpenedPath path = recognizePath(source.toStdString()); path.kind == OpenedPath::Kind::scan)
     return openSession(QString::fromStdString(path.folder.string()));
   source_ = source;
   request_.source_options = options;
   request_.poses = poses;
+  request_.object = object;
   begin();
 }
 

@@ -22,8 +22,10 @@ class ScanController : public QObject {
   [[nodiscard]] const ScanRequest& request() const { return request_; }
 
   /// Opens a source and starts scanning; a folder with a saved scan is opened by openSession().
+  /// `object`: it is scanned alone; none: everything is scanned.
   void open(const QString& source, const SourceOptions& options = {},
-            ScanRequest::Poses poses = ScanRequest::Poses::automatic);
+            ScanRequest::Poses poses = ScanRequest::Poses::automatic,
+            const std::optional<ObjectChoice>& object = std::nullopt);
   /// Scans the current source anew with another depth scale, and as before otherwise.
   void reopenWithDepthScale(double units_per_meter);
   /// Opens the session of an earlier scan for review and edits.

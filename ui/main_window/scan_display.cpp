@@ -65,7 +65,7 @@ void ScanDisplay::begin(const QString& source) {
   parts_.scene->view()->clearScene();
   parts_.frames->clear();
   window_.regions().beginScan();
-  window_.guide().beginScan();
+  window_.guide().beginScan(window_.controller().request().object.has_value());
   parts_.time_line->clear();
   parts_.actions->enableReview(false);
   parts_.actions->enableRefinement(false);

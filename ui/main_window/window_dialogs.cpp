@@ -41,12 +41,15 @@ void WindowDialogs::openWithOptions() {
   SourceDialog dialog(window_.controller().source(), &window_);
   if (dialog.exec() != QDialog::Accepted) return;
   window_.parts().messages->dismiss();
-  window_.controller().open(dialog.source(), dialog.options(), dialog.poses());
+  window_.controller().open(dialog.source(), dialog.options(), dialog.poses(), dialog.object());
 }
 
 void WindowDialogs::openCamera() {
   CameraDialog dialog(listCameras, &window_);
-  if (dialog.exec() == QDialog::Accepted && !dialog.source().isEmpty()) window_.open(dialog.source());
+  if (dialog.exec() != QDialog::Accepted || dialog.source().isEmpty()) return;
+  if (!dialog.object()) return window_.open(dialog.source());
+  window_.parts().messages->dismiss();
+  window_.controller().open(dialog.source(), {}, ScanRequest::Poses::automatic, dialog.object());
 }
 
 void WindowDialogs::chooseCatalogue() {

@@ -1,5 +1,6 @@
 #include "ui/panels/camera_dialog.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
 #include <QLabel>
@@ -26,6 +27,7 @@ CameraDialog::CameraDialog(Lister lister, QWidget* parent)
       lister_(std::move(lister)),
       list_(new QListWidget),
       advice_(new QLabel),
+      object_(new QCheckBox(tr("Scan &one object"))),
       open_(nullptr) {
   setWindowTitle(tr("Choose a camera"));
   setMinimumSize(460, 320);
@@ -35,6 +37,9 @@ CameraDialog::CameraDialog(Lister lister, QWidget* parent)
   advice_->setObjectName(QStringLiteral("cameraAdvice"));
   advice_->setWordWrap(true);
   advice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  object_->setToolTip(
+      tr("Scan what stands near the middle of the first image alone, on a turntable or in a hand. "
+         "The surface below it and the room are left out."));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   open_ = buttons->addButton(tr("&Start scan"), QDialogButtonBox::AcceptRole);
   open_->setProperty("primary", true);
@@ -49,6 +54,7 @@ CameraDialog::CameraDialog(Lister lister, QWidget* parent)
   layout->setSpacing(10);
   layout->addWidget(advice_);
   layout->addWidget(list_, 1);
+  layout->addWidget(object_);
   layout->addWidget(buttons);
   refresh();
 }
@@ -56,6 +62,10 @@ CameraDialog::CameraDialog(Lister lister, QWidget* parent)
 QString CameraDialog::source() const {
   const QListWidgetItem* item = list_->currentItem();
   return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
+}
+
+std::optional<ObjectChoice> CameraDialog::object() const {
+  return object_->isChecked() ? std::optional(ObjectChoice{}) : std::nullopt;
 }
 
 void CameraDialog::refresh() {

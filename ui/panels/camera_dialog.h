@@ -1,11 +1,14 @@
 #pragma once
 #include <QDialog>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/capture/cameras.h"
+#include "core/scan/scan_request.h"
 
+class QCheckBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -22,6 +25,8 @@ class CameraDialog : public QDialog {
   explicit CameraDialog(Lister lister, QWidget* parent = nullptr);
   /// "camera:URI" of the chosen camera.
   [[nodiscard]] QString source() const;
+  /// None: everything is scanned.
+  [[nodiscard]] std::optional<ObjectChoice> object() const;
 
  public slots:
   void refresh();
@@ -30,6 +35,7 @@ class CameraDialog : public QDialog {
   Lister lister_;
   QListWidget* list_;
   QLabel* advice_;
+  QCheckBox* object_;
   QPushButton* open_;
 };
 

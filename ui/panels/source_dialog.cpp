@@ -1,5 +1,6 @@
 #include "ui/panels/source_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -46,6 +47,7 @@ SourceDialog::SourceDialog(const QString& source, QWidget* parent)
       stride_(numberField(1, 1)),
       frames_(numberField(0, 0, tr("all"))),
       poses_(new QComboBox),
+      object_(new QCheckBox(tr("Scan &one object"))),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Open with options"));
   setMinimumWidth(520);
@@ -74,6 +76,10 @@ SourceDialog::SourceDialog(const QString& source, QWidget* parent)
   form->addRow(tr("&Skip first frames"), start_);
   form->addRow(tr("&Every n-th frame"), stride_);
   form->addRow(tr("At &most frames"), frames_);
+  object_->setToolTip(
+      tr("Scan what stands near the middle of the first image alone, on a turntable or in a hand. "
+         "The surface below it and the room are left out."));
+  form->addRow(QString(), object_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(18, 16, 18, 14);
   layout->setSpacing(14);
@@ -91,6 +97,8 @@ void SourceDialog::askToContinue(const QString& scan) {
   setWindowTitle(tr("Continue scan %1").arg(scan));
   source_->setPlaceholderText(tr("a recording of the same place, or camera"));
   buttons_->button(QDialogButtonBox::Open)->setText(tr("&Continue scan"));
+  object_->setChecked(false);  // a scan of one object is not continued
+  object_->hide();
 }
 
 QString SourceDialog::source() const { return source_->text().trimmed(); }
@@ -109,6 +117,10 @@ SourceOptions SourceDialog::options() const {
 
 ScanRequest::Poses SourceDialog::poses() const {
   return static_cast<ScanRequest::Poses>(poses_->currentData().toInt());
+}
+
+std::optional<ObjectChoice> SourceDialog::object() const {
+  return object_->isChecked() ? std::optional(ObjectChoice{}) : std::nullopt;
 }
 
 void SourceDialog::browse() {

@@ -3,6 +3,7 @@
 
 #include "core/scan/scan_request.h"
 
+class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QLineEdit;
@@ -10,8 +11,8 @@ class QSpinBox;
 
 namespace scantrove {
 
-/// Dialog for opening a recording with options: intrinsics, depth scale, range of frames, and whether to use
-/// its poses.
+/// Dialog for opening a recording with options: intrinsics, depth scale, range of frames, whether to use its
+/// poses, and whether one object alone is scanned.
 class SourceDialog : public QDialog {
   Q_OBJECT
 
@@ -23,6 +24,8 @@ class SourceDialog : public QDialog {
   [[nodiscard]] QString source() const;
   [[nodiscard]] SourceOptions options() const;
   [[nodiscard]] ScanRequest::Poses poses() const;
+  /// None: everything is scanned.
+  [[nodiscard]] std::optional<ObjectChoice> object() const;
 
  private:
   void browse();
@@ -35,6 +38,7 @@ class SourceDialog : public QDialog {
   QSpinBox* stride_;
   QSpinBox* frames_;
   QComboBox* poses_;
+  QCheckBox* object_;
   QDialogButtonBox* buttons_;
 };
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QListWidget>
 
@@ -23,6 +24,13 @@ TEST(CameraDialog, ListsCamerasBeforeTheDummy) {
   });
   EXPECT_EQ(dialog.findChild<QListWidget*>()->count(), 2);
   EXPECT_EQ(dialog.source(), QStringLiteral("camera:1d27/0601@1/5"));
+}
+
+TEST(CameraDialog, ScansOneObject_WhenThePersonChoosesIt) {
+  CameraDialog dialog([] { return Result<std::vector<CameraInfo>>(std::vector<CameraInfo>{}); });
+  EXPECT_FALSE(dialog.object());
+  dialog.findChild<QCheckBox*>()->setChecked(true);
+  EXPECT_EQ(dialog.object(), ObjectChoice{});
 }
 
 }  // namespace

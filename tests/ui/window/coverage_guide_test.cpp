@@ -6,6 +6,7 @@
 #include "tests/ui/window/window_fixture.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/region_controller.h"
+#include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/panels/scene_overlay.h"
 
@@ -56,6 +57,20 @@ ViewCoverage fromAllAround() {
     coverage.addDirection({std::cos(angle), -0.4F, std::sin(angle)});  // y is down
   }
   return coverage;
+}
+
+TEST_F(CoverageGuideTest, NeedsNoSelection_WhenOneObjectIsScanned) {
+  window_->controller().open(QStringLiteral("demo:turntable"), {}, ScanRequest::Poses::automatic,
+                             ObjectChoice{});
+  EXPECT_TRUE(worker_->last_request.object);
+  show(regionSeen(1, fromInFront_));
+  ASSERT_TRUE(guide().shown());
+  ASSERT_TRUE(guide().targetDirection());
+  EXPECT_FALSE(fromInFront_.covers(*guide().targetDirection()));
+  window_->open(QStringLiteral("demo"));
+  EXPECT_FALSE(worker_->last_request.object);
+  show(regionSeen(2, fromInFront_));
+  EXPECT_FALSE(guide().shown()) << "nothing is selected";
 }
 
 TEST_F(CoverageGuideTest, ArrowPointsToAnUnseenSide) {
