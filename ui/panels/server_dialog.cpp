@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QThread>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -88,7 +89,11 @@ void ServerDialog::probe(Then then) {
 void ServerDialog::showAnswer(const QString& text, bool is_usable, Then then) {
   address_->setEnabled(true);
   answer_->setText(text);
+  // An answer may have more lines than the hint, and a window keeps its height by itself.
+  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
   validate();
+  // The buttons were off, so that the focus went to Cancel.
+  (is_usable ? static_cast<QWidget*>(connect_) : address_)->setFocus();
   if (is_usable && then == Then::accept) accept();
 }
 
