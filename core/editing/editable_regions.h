@@ -23,7 +23,8 @@ class EditableRegions {
     std::vector<std::pair<FragmentId, FragmentId>> divided;  ///< (new fragment, the one that it was cut from)
   };
   /// Splits fragments of one region that lie in several of `parts` parts. `part`: the part of each voxel of
-  /// the graph. Fragments without such voxels belong to the first part. The region keeps all fragments.
+  /// the graph. Fragments without such voxels, and what fragments have elsewhere, belong to the first part.
+  /// The region keeps all fragments.
   [[nodiscard]] Division divideVoxels(RegionId region, const SurfaceGraph& graph,
                                       std::span<const std::uint32_t> part, std::size_t parts);
 

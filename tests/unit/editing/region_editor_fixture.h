@@ -24,9 +24,10 @@ class StripMap final : public EditableMap {
   float voxelSize() const override { return 0.01F; }
   std::span<const int> voxelsOfFragments() const override { return counts_; }
   std::vector<SurfaceVoxel> surfaceOf(std::span<const FragmentId> fragments,
-                                      std::span<const Eigen::Vector3f>) override {
+                                      std::span<const Eigen::Vector3f> places) override {
     std::vector<SurfaceVoxel> voxels;
     for (const auto& [position, fragment] : labels_) {
+      if (!places.empty() && out_of_reach_ && position.first >= *out_of_reach_) continue;
       if (std::ranges::find(fragments, fragment) != fragments.end())
         voxels.push_back(
             {{position.first, position.second, 0}, {0, 0, 1}, fragment, colorAt(position.first)});
@@ -39,6 +40,8 @@ class StripMap final : public EditableMap {
   FragmentId at(int x) const { return labels_.at({x, 5}); }
   /// Colours the strip green from `from` to `to` and brown elsewhere; without, it has no colours.
   void color(int from, int to) { green_ = {from, to}; }
+  /// No place before column `from` is connected with it and those after it.
+  void disconnect(int from) { out_of_reach_ = from; }
 
  private:
   void set(int x, int y, FragmentId fragment) {
@@ -54,6 +57,7 @@ class StripMap final : public EditableMap {
     return is_green ? std::array<std::uint8_t, 3>{80, 160, 90} : std::array<std::uint8_t, 3>{190, 150, 100};
   }
   std::optional<std::pair<int, int>> green_;
+  std::optional<int> out_of_reach_;
   std::map<std::pair<int, int>, FragmentId> labels_;
   std::vector<int> counts_{0};
 };

@@ -87,6 +87,20 @@ TEST_F(RegionPaintingTest, SplitsARegion_WhenMostOfItLiesBeyondTheImage) {
   EXPECT_EQ(regionAt(70), large) << "the image shows nothing of it";
 }
 
+TEST_F(RegionPaintingTest, LeavesSurfaceThatLiesElsewhere_WithItsRegion) {
+  map_.setRange(fragments_[1], 65, 80);
+  map_.disconnect(60);
+  const std::vector<RegionId> before = all();
+  ASSERT_EQ(before[3], before[1]);
+  const auto outcome = paint(before[0], {.added = {20, 34}, .image_end = 60});
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  for (int x = 20; x < 32; ++x) EXPECT_EQ(regionAt(x), before[0]) << x;
+  for (int x = 36; x < 40; ++x) EXPECT_EQ(regionAt(x), before[1]) << x;
+  for (int x = 65; x < 80; ++x) EXPECT_EQ(regionAt(x), before[1]) << x << ": not seen, not connected";
+  ASSERT_TRUE(editor_.undo());
+  for (int x = 20; x < 40; ++x) EXPECT_EQ(regionAt(x), before[1]) << x;
+}
+
 TEST_F(RegionPaintingTest, GivesWhatWasPaintedOutToItsSurroundings) {
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
   const RegionId painted = regionAt(10), beside = regionAt(50);
