@@ -121,6 +121,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   message_->setObjectName(QStringLiteral("exportMessage"));
   count_->setToolTip(tr("Counts images, instances and pixels of each class, and writes nothing"));
   bar_->setVisible(false);
+  bar_->setTextVisible(false);  // the bar is lower than a text
   show_folder_->setVisible(false);
   export_->setDefault(true);
   export_->setProperty("primary", true);

@@ -33,6 +33,7 @@ void SameNameChoice::ask(const TypedName& typed) {
   another_->setText(tr("%1 (Return)").arg(typed.another));
   same_->setText(tr("%1 (Shift+Return)").arg(typed.same));
   show();
+  updateGeometry();  // a layout around this has kept the size of shorter texts
 }
 
 void SameNameChoice::enter() { another_->setFocus(Qt::TabFocusReason); }
