@@ -17,7 +17,9 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kMaxSavedScans = 60;
-constexpr int kSavedScanColumns = 2;
+constexpr int kMaxColumns = 2;
+/// Below this, one card needs the whole width for its texts.
+constexpr int kLeastWidthOfTwo_px = 640;
 
 QPixmap pictureOf(const SavedScanEntry& scan) {
   const QImage image = scan.thumbnail.isNull() ? readScanPicture(scan.picture) : scan.thumbnail;
@@ -58,14 +60,33 @@ void SavedScansPanel::setScans(const std::vector<SavedScanEntry>& scans) {
     delete item;
   }
   const std::size_t shown = std::min(scans.size(), kMaxSavedScans);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const int index = static_cast<int>(i);
-    cards_->addWidget(makeCard(scans[i]), index / kSavedScanColumns, index % kSavedScanColumns);
-  }
-  for (int c = 0; c < kSavedScanColumns; ++c) cards_->setColumnStretch(c, 1);
+  std::vector<QWidget*> cards;
+  for (std::size_t i = 0; i < shown; ++i) cards.push_back(makeCard(scans[i]));
+  arrange(cards);
   more_->setText(tr("and %n more: File > Open scan", nullptr, static_cast<int>(scans.size() - shown)));
   more_->setVisible(scans.size() > shown);
   setVisible(!scans.empty());
+}
+
+void SavedScansPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int columns = width() < kLeastWidthOfTwo_px ? 1 : kMaxColumns;
+  if (columns == columns_) return;
+  columns_ = columns;
+  std::vector<QWidget*> cards;
+  while (QLayoutItem* item = cards_->takeAt(0)) {
+    cards.push_back(item->widget());
+    delete item;
+  }
+  arrange(cards);
+}
+
+void SavedScansPanel::arrange(const std::vector<QWidget*>& cards) {
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    const int index = static_cast<int>(i);
+    cards_->addWidget(cards[i], index / columns_, index % columns_);
+  }
+  for (int c = 0; c < kMaxColumns; ++c) cards_->setColumnStretch(c, c < columns_ ? 1 : 0);
 }
 
 QWidget* SavedScansPanel::makeCard(const SavedScanEntry& scan) {

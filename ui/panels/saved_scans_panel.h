@@ -31,7 +31,7 @@ inline constexpr QSize kScanPicture(96, 72);
 enum class SavedScanAction { resume, refine, export_data };
 
 /// Cards of the saved scans, newest first; a click opens one, its button and the right mouse button show the
-/// actions. Hidden while there are none.
+/// actions. Two beside each other where that leaves room for their texts. Hidden while there are none.
 class SavedScansPanel : public QWidget {
   Q_OBJECT
 
@@ -45,10 +45,14 @@ class SavedScansPanel : public QWidget {
   void actionRequested(const QString& folder, scantrove::SavedScanAction action);
 
  private:
+  void resizeEvent(QResizeEvent* event) override;
+  /// Puts cards beside each other, by the present width.
+  void arrange(const std::vector<QWidget*>& cards);
   [[nodiscard]] QWidget* makeCard(const SavedScanEntry& scan);
   [[nodiscard]] QMenu* makeMenu(const SavedScanEntry& scan, QWidget* card);
 
   QGridLayout* cards_;
+  int columns_ = 1;
   QLabel* more_;
 };
 

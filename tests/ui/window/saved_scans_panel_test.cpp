@@ -41,6 +41,23 @@ TEST(SavedScansPanel, ClickOpensAScan_AndDeleteKeyDeletesIt) {
   EXPECT_EQ(deleted[0][0].toString(), QStringLiteral("/b"));
 }
 
+TEST(SavedScansPanel, PutsCardsBelowEachOther_WhereTwoHaveNoRoom) {
+  SavedScansPanel list;
+  list.setScans({{QStringLiteral("/a"), QStringLiteral("kitchen"), QStringLiteral("5 frames"), {}},
+                 {QStringLiteral("/b"), QStringLiteral("desk"), QStringLiteral("5 frames"), {}}});
+  list.resize(820, 200);
+  list.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&list));
+  const QList<QToolButton*> cards = list.findChildren<QToolButton*>(QStringLiteral("startCard"));
+  ASSERT_EQ(cards.size(), 2);
+  EXPECT_EQ(cards[0]->y(), cards[1]->y());
+  list.resize(440, 300);
+  QTest::qWait(50);
+  EXPECT_EQ(cards[0]->x(), cards[1]->x());
+  EXPECT_GT(cards[1]->y(), cards[0]->y());
+  EXPECT_GT(cards[0]->width(), 400) << "the empty second column takes no room";
+}
+
 /// Texts of labels that are cut off, leave their card or overlap another label.
 QStringList cutLabels(const QWidget& page) {
   QStringList cut;
