@@ -39,6 +39,7 @@ TimeLine::TimeLine(QWidget* parent)
   slider_->setToolTip(
       tr("Browse the stored frames (Page up, Page down). The labels are those of the map now."));
   slider_->setPageStep(1);
+  slider_->setFocusPolicy(Qt::TabFocus);  // so that keys stay with the picture after a click
   connect(slider_, &QSlider::valueChanged, this, [this](int index) {
     showText(index);
     emit requested(index);
@@ -52,7 +53,7 @@ void TimeLine::makeFilter() {
   filter_box_->addItems({tr("All"), tr("Open"), tr("Checked")});
   filter_box_->setAccessibleName(tr("Key frames to browse"));
   filter_box_->setToolTip(tr("Key frames that Page up and Page down go to"));
-  filter_box_->setFocusPolicy(Qt::TabFocus);  // so that keys stay with the pictures after a click
+  filter_box_->setFocusPolicy(Qt::TabFocus);  // as the slider
   connect(filter_box_, &QComboBox::currentIndexChanged, this, [this] { marks_->setFilter(filter()); });
 }
 

@@ -45,6 +45,11 @@ class ReviewTest : public PointingTest {
   NextStepStrip* strip() { return window_->parts().next_steps; }
 };
 
+TEST_F(ReviewTest, ClickOnTheSliderLeavesTheKeysToThePictures) {
+  QTest::mouseClick(timeLine()->slider(), Qt::LeftButton);
+  EXPECT_NE(window_->focusWidget(), timeLine()->slider());
+}
+
 TEST_F(ReviewTest, KeyChecksTheFrame_AndGoesToTheNextOpenOne) {
   QTest::keyClick(window_.get(), Qt::Key_K);
   const Operation* const operation = lastOperation();
