@@ -2,7 +2,8 @@
 
 #include <QApplication>
 #include <QStyle>
-#include <QStyleFactory>
+
+#include "ui/theme/indicator_style.h"
 
 namespace scantrove {
 namespace {
@@ -154,7 +155,7 @@ void Theme::choose(ThemeChoice choice) {
   choice_ = choice;
   const bool dark = choice == ThemeChoice::dark || (choice == ThemeChoice::system && system_is_dark_);
   colors_ = dark ? darkColors() : lightColors();
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new IndicatorStyle(colors_.muted_text));
   QApplication::setPalette(paletteOf(colors_));
   qApp->setStyleSheet(styleSheetOf(colors_));
   emit changed();
