@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "core/catalogue/catalogue_copy.h"
+#include "core/catalogue/catalogue_schema.h"
 #include "core/catalogue/catalogue_writer.h"
 #include "core/database/database_connection.h"
 #include "core/database/transaction.h"
 #include "server.h"
 #include "tests/unit/catalogue/catalogue_test_support.h"
+#include "tests/unit/catalogue/earlier_catalogue.h"
 
 namespace scantrove::test {
 namespace {
@@ -272,6 +274,30 @@ TEST_F(ServerCatalogueTest, CopyIsEqual_FromFileToServerAndBack) {
     ASSERT_TRUE(next) << next.error().message();
     EXPECT_EQ(next->id.value, 71U) << "ids go on";
     EXPECT_EQ(next->name, "Obj_71");
+  }
+}
+
+TEST_F(ServerCatalogueTest, CopyIsEqual_WhenAnEarlierVersionWroteTheFile) {
+  for (int version = 1; version <= static_cast<int>(schema::catalogueSteps().size()); ++version) {
+    SCOPED_TRACE("version " + std::to_string(version));
+    const std::string name = "version" + std::to_string(version);
+    const std::string original = folder_ / (name + ".sqlite"), back = folder_ / (name + "_back.sqlite");
+    EarlierCatalogue::write(original, version);
+    {
+      const auto database = openOrFail(original);
+      ASSERT_NE(database, nullptr);
+      ASSERT_TRUE(database->views().forEachDescriptor(0, [](const StoredDescriptor&) {}));
+    }
+    const Result<CatalogueCopy> there = copyCatalogue(original, file(name));
+    ASSERT_TRUE(there) << there.error().message();
+    ASSERT_TRUE(copyCatalogue(file(name), back));
+    const auto rows = storedRows(original);
+    EXPECT_EQ(rows.at("views").size(), static_cast<std::size_t>(EarlierCatalogue::kObjects));
+    for (const std::string& copy : {file(name), back}) {
+      const auto copied = storedRows(copy);
+      expectKept(rows, copied);  // names what differs
+      EXPECT_TRUE(copied == rows) << copy;
+    }
   }
 }
 
