@@ -48,7 +48,7 @@ bool wasReadToEnd(const fs::path& folder) {
 /// `earlier`: a stopped scan to continue, or null. Fills `outcome` but for a failure.
 Result<void> scanInto(const Project& project, ScanRequest request, const SessionSummary* earlier,
                       RecordingOutcome& outcome) {
-  request.resume = earlier != nullptr;
+  request.resume = request.rest_only = earlier != nullptr;
   fs::path folder;
   if (earlier != nullptr) {
     folder = earlier->folder;
@@ -67,7 +67,9 @@ Result<void> scanInto(const Project& project, ScanRequest request, const Session
     return fail(report.error());
   }
   outcome.scan = folder.filename().string();
-  SCANTROVE_TRY(checkFramesWereUsed(*report, options, earlier != nullptr));
+  const bool had_no_rest =
+      earlier != nullptr && report->frames.read == 0 && report->frames.skipped == 0 && wasReadToEnd(folder);
+  if (!had_no_rest) SCANTROVE_TRY(checkFramesWereUsed(*report, options, earlier != nullptr));
   outcome.kind = wasReadToEnd(folder) ? RecordingOutcome::Kind::done : RecordingOutcome::Kind::stopped;
   outcome.is_continued = earlier != nullptr;
   outcome.read = report->frames.read;

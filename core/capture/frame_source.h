@@ -42,8 +42,8 @@ struct FrameRead {
   enum class Status {
     frame,    ///< `frame` is filled
     skipped,  ///< unusable frame (truncated image, NaN pose); `error` says why; continue reading
-    timeout,  ///< a live camera sent nothing for a second; continue reading. With an `error`: it is lost, and
-              ///< frames go on when it is connected again
+    timeout,  ///< a live camera sent nothing for a second, or a frame is left out (RestOfSource); continue
+              ///< reading. With an `error`: the camera is lost, and frames go on when it is connected again
     end,      ///< the recording is over; with an `error`: a lost camera did not come back
     failed,   ///< the source is lost (unplugged, folder removed); `error` says why; stop reading
   };

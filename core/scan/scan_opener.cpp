@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 #include <utility>
 
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/no_frames.h"
 #include "core/capture/peeked_source.h"
+#include "core/capture/rest_of_source.h"
 #include "core/capture/usable_depth.h"
 #include "core/catalogue/object_database.h"
 #include "core/database/server_address.h"
@@ -316,6 +318,7 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
     recorder.setMetadata(kReadToEndKey, "");
     recorder.setMetadata(kPosesKey, std::string(toString(request.poses)));
     for (const auto& [name, value] : refinementMetadata(false)) recorder.setMetadata(name, value);
+    leaveOutReadFrames();
     continueNumbers(earlier_->frames);
     if (parts_.output) SCANTROVE_TRY(recorder.keepMetadata(kResultsKey, kResultsBegun));
     if (parts_.output && request.label_maps) SCANTROVE_TRY(recorder.keepMetadata(kLabelImagesKey, "yes"));
@@ -329,8 +332,21 @@ void ScanOpener::beginAnewWithoutMap() {
   const int lost = loseFramesWithoutMap(*earlier_);
   if (lost == 0) return;
   listener_(MapFailed{{"The scan in " + parts_.request.output_folder->string() +
-                           " was interrupted before its map was stored. It begins anew with the next frame.",
-                       "To have its first frames as well, scan into a new folder."}});
+                           " was interrupted before its map was stored. It begins anew.",
+                       ""}});
+}
+
+void ScanOpener::leaveOutReadFrames() {
+  if (!parts_.request.rest_only || parts_.source->info().is_live || !isSameRecording()) return;
+  if (earlier_->pages.empty()) return;  // the map has none of them
+  const SavedRecording& recording = earlier_->recordings.back();
+  int last = std::numeric_limits<int>::min(), read = 0;
+  for (const SavedFrame& frame : earlier_->frames) {
+    if (frame.number < recording.first_frame) continue;
+    last = std::max(last, frame.source_index - recording.index_shift);
+    ++read;
+  }
+  if (read > 0) parts_.source = std::make_unique<RestOfSource>(std::move(parts_.source), last, read);
 }
 
 void ScanOpener::continueNumbers(const std::vector<SavedFrame>& earlier) {

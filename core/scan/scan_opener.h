@@ -58,6 +58,8 @@ class ScanOpener {
   [[nodiscard]] Result<void> restoreSession(ObjectDatabase& database);
   /// Of a scan that was interrupted before its map was stored nothing is left to go on in.
   void beginAnewWithoutMap();
+  /// With `rest_only`, the source goes on after its last frame in the session.
+  void leaveOutReadFrames();
   /// Frame numbers and times continue those of the earlier frames.
   void continueNumbers(const std::vector<SavedFrame>& earlier);
   void reportDamages(const std::vector<std::string>& damages) const;

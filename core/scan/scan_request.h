@@ -41,6 +41,9 @@ struct ScanRequest {
   bool record_all = false;  ///< store the images of every frame in the session, not only of key frames
   /// Continue the session in `output_folder`; otherwise a new one starts there.
   bool resume = false;
+  /// With `resume`: leave out the frames of the session's last recording that the session has, if that is
+  /// the source. Without, they are read again.
+  bool rest_only = false;
   /// Start in a folder with files that no scan wrote (see checkHoldsOnlyOurs()).
   bool overwrite = false;
   /// After the scan its session stays open until the next one starts: for editing, viewing key frames and

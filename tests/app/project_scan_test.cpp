@@ -33,10 +33,13 @@ class ProjectScanTest : public testing::Test {
     return jsonOf(scantrove({"project", "list", project_, "--json"}));
   }
 
-  /// Each demo has one scan, which read its source to the end.
+  /// Each demo has one scan, which read each frame of its source once.
   void expectEachDemoOnce() const {
     std::vector<std::string> sources;
-    for (const auto& scan : scans()) sources.push_back(scan["source"].get<std::string>());
+    for (const auto& scan : scans()) {
+      sources.push_back(scan["source"].get<std::string>());
+      EXPECT_EQ(scan["frames"], 40) << sources.back();
+    }
     std::ranges::sort(sources);
     EXPECT_EQ(sources, (std::vector<std::string>{"demo:tabletop:1", "demo:tabletop:2"}));
     const Finished again = runProgram(scanList({"--json"}));
