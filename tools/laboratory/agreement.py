@@ -72,7 +72,7 @@ def disagreements(scanner, reported, moments):
 
 
 def delays(statements, renames):
-    """Seconds from the commit of each rename until each scanner has read it. `statements`: (time, process, text), by the
+    """(moment, seconds) of each rename and scanner: the commit, and how long after it the scanner has read it. `statements`: (time, process, text), by the
     time of their ends. `renames`: the ids of their events by name. A scanner reads changes again and again."""
     pending, commits, readings = {}, [], {}
     for moment, process, text in statements:
@@ -91,5 +91,5 @@ def delays(statements, renames):
             # A reading has brought the event if the next one goes on after it.
             brought = next((read[0] for read, later in zip(reads, reads[1:]) if read[1] < event <= later[1]), None)
             if brought is not None:
-                result.append(max(0.0, brought - moment))
-    return sorted(result)
+                result.append((moment, max(0.0, brought - moment)))
+    return result

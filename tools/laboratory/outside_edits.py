@@ -22,16 +22,19 @@ class OutsideEdits(threading.Thread):
             due = start + self.seconds * number / self.count
             if self.is_stopped.wait(max(0.0, due - time.monotonic())):
                 return
-            self.edit(number)
+            while not self.edit(number):
+                self.unreadable += 1
+                if self.is_stopped.wait(1):
+                    return
 
     def edit(self, number):
+        """False: the catalogue is empty, or the server is away."""
         try:
             objects = self.newest()
         except ValueError:
             objects = []
         if not objects:
-            self.unreadable += 1
-            return
+            return False
         kind = self.random.choices(("rename", "merge", "delete"), (60, 20, 20))[0]
         if len(objects) < 4:
             kind = "rename"
@@ -42,3 +45,4 @@ class OutsideEdits(threading.Thread):
         answer = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
         self.done.append({"kind": kind, "objects": chosen, "name": name, "is_done": answer.returncode == 0,
                           "answer": (answer.stderr or answer.stdout).strip()[-300:]})
+        return True

@@ -1,4 +1,5 @@
 """A PostgreSQL server of its own in a new folder, reached by a UNIX socket there."""
+import calendar
 import csv
 import json
 import os
@@ -24,6 +25,7 @@ class PrivateServer:
 
     def __init__(self, folder):
         self.folder, self.data, self.bin = folder, folder / "data", programs()
+        self.away = None  # from and until when, after kill() and start()
         self.folder.mkdir()
         self.as_other = []
         if os.geteuid() == 0:
@@ -42,10 +44,11 @@ class PrivateServer:
 
     def start(self):
         options = (f"-k {self.folder} -c listen_addresses='' -c logging_collector=on -c log_destination=csvlog"
-                   " -c log_rotation_size=0 -c log_filename=server.log -c log_truncate_on_rotation=off")
+                   " -c log_timezone=UTC -c log_rotation_size=0 -c log_filename=server.log -c log_truncate_on_rotation=off")
         for attempt in range(40):  # the shared memory of a killed server may still be in use
             try:
                 self._run("pg_ctl", "-D", self.data, "-w", "-l", self.data / "start.log", "-o", options, "start")
+                self.away = self.away and (self.away[0], time.time())
                 return
             except ValueError:
                 if attempt == 39:
@@ -54,6 +57,7 @@ class PrivateServer:
 
     def kill(self):
         """As a power cut ends it: all its processes at once."""
+        self.away = (time.time(), None)
         server = int((self.data / "postmaster.pid").read_text().split()[0])
         children = children_of(server)
         os.kill(server, signal.SIGKILL)
@@ -99,10 +103,10 @@ class PrivateServer:
 
 
 def seconds_of(text):
-    """Of "2026-11-30 22:00:00.123 UTC"; only differences matter."""
+    """Since 1970, of "2026-11-30 22:00:00.123 UTC"."""
     day, moment, *_ = text.split()
     hours, minutes, seconds = moment.split(":")
-    return (time.mktime(time.strptime(day, "%Y-%m-%d")) + 3600 * int(hours) + 60 * int(minutes) + float(seconds))
+    return calendar.timegm(time.strptime(day, "%Y-%m-%d")) + 3600 * int(hours) + 60 * int(minutes) + float(seconds)
 
 
 def children_of(parent):
