@@ -55,6 +55,7 @@ class Runner {
         if (const auto* failed = std::get_if<ScanFailed>(&*event)) return fail(failed->error);
         if (const auto* finished = std::get_if<ScanFinished>(&*event)) {
           showLatest();  // the last snapshot was posted before this event
+          setAtStop(AtStop::complete);
           return finished->report;
         }
         show(*event);

@@ -31,7 +31,8 @@ void print(const char (&message)[kSize]) {
 
 extern "C" void onSecond(int) {
   const AtStop stage = g_at_stop;
-  if (++g_waited_s < (stage == AtStop::results ? kTimeoutWithResults_s : kTimeout_s)) {
+  const bool has_results = stage == AtStop::results || stage == AtStop::complete;
+  if (++g_waited_s < (has_results ? kTimeoutWithResults_s : kTimeout_s)) {
     alarm(1);
     return;
   }
@@ -44,6 +45,9 @@ extern "C" void onSecond(int) {
       break;
     case AtStop::results:
       print("scantrove: Stopped while writing results; they are incomplete.\n");
+      break;
+    case AtStop::complete:
+      print("scantrove: Stopped after the results were written.\n");
       break;
   }
   std::signal(g_stopped_by, SIG_DFL);
@@ -76,7 +80,10 @@ void listenForStop() {
 
 bool stopRequested() { return g_stop; }
 
-void setAtStop(AtStop stage) { g_at_stop = stage; }
+void setAtStop(AtStop stage) {
+  if (stage == AtStop::complete) g_waited_s = 0;
+  g_at_stop = stage;
+}
 
 bool isInterrupted() { return g_stop && g_stopped_by == SIGINT; }
 

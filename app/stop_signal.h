@@ -22,8 +22,9 @@ enum class AtStop {
   nothing,     ///< there are no results yet
   unfinished,  ///< data on the disk stays
   results,     ///< they are being written
+  complete,    ///< nothing: the results are written
 };
-/// Any thread. AtStop::nothing at first.
+/// Any thread. AtStop::nothing at first. With AtStop::complete the program has 20 s from then on.
 void setAtStop(AtStop stage);
 
 }  // namespace scantrove
