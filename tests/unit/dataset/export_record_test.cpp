@@ -219,7 +219,7 @@ TEST_F(ReplacedDatasetTest, RemovesNothingBehindALink) {
   ASSERT_TRUE(record && *record);
   fs::rename(home_ / "out/masks", home_ / "kept");
   fs::create_directory_symlink(home_ / "kept", home_ / "out/masks");
-  EXPECT_FALSE((*record)->removeFrom(home_ / "out", "none"));
+  EXPECT_FALSE((*record)->removeFrom(home_ / "out"));
   EXPECT_TRUE(fs::exists(home_ / "kept/000010.png"));
   EXPECT_TRUE(fs::is_symlink(home_ / "out/masks"));
 }
