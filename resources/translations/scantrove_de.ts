@@ -3143,6 +3143,10 @@ Escape im Suchfeld leert es.</translation>
 <context>
     <name>scantrove::RegionController</name>
     <message>
+        <source>Point at a region to name, or click it.</source>
+        <translation>Auf die Region zeigen, die benannt wird, oder sie anklicken.</translation>
+    </message>
+    <message>
         <source>&amp;Recent names</source>
         <translation>Zuletzt benutzte &amp;Namen</translation>
     </message>

@@ -147,7 +147,7 @@ void RegionController::connectActions() {
   }
   const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
   on(actions_.name, [this] {
-    if (!splitter_->accept()) naming_->edit(last_position_);
+    if (!splitter_->accept()) editName();
   });
   on(actions_.join, [this] { operations_.join(); });
   on(actions_.cut, [this] { splitter_->begin(); });
@@ -273,16 +273,27 @@ void RegionController::highlightScene() {
       any ? highlightPicture(view->regionIds(), highlightedRegion(), selection_.selected()) : QImage());
 }
 
+void RegionController::editName() {
+  if (selection_.selected().empty() && selection_.hovered()) {
+    last_position_ = QCursor::pos();
+    selection_.select(selection_.hovered(), false);
+  }
+  if (selection_.selected().empty())
+    return emit operations_.hinted(tr("Point at a region to name, or click it."));
+  naming_->edit(last_position_);
+}
+
 void RegionController::updateActions() {
   const std::vector<RegionId>& selected = selection_.selected();
   const RegionInfo* const first = selected.empty() ? nullptr : selection_.info(selected.front());
   actions_.enableFor(selected.size(), first != nullptr && first->note.background,
                      first != nullptr && first->note.rejected);
   actions_.cut->setEnabled(!selection_.infos().empty());
+  // Else a name that is typed at once would be taken for keys.
+  actions_.name->setEnabled(!selection_.infos().empty());
   actions_.enableSupports(!selection_.proposedBackground().empty());
   if (!splitter_->isActive()) return;
   actions_.deselect->setEnabled(true);
-  actions_.name->setEnabled(true);  // Return accepts the split
 }
 
 QString RegionController::sizeOf(RegionId region) {

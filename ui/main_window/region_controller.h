@@ -60,6 +60,8 @@ class RegionController : public QObject {
   [[nodiscard]] RegionId highlightedRegion() const;
   void updateHighlight();
   void highlightScene();
+  /// Opens the field for the selected regions, or for the one that is pointed at.
+  void editName();
   void updateActions();
   [[nodiscard]] QStringList tagOf(RegionId region);
   [[nodiscard]] QString sizeOf(RegionId region);

@@ -23,6 +23,18 @@ class NamingTest : public PointingTest {
   SameNameChoice* choice() { return window_->regions().nameEditor().choice(); }
 };
 
+TEST_F(NamingTest, ReturnNamesWhatIsPointedAt_WhenNothingIsSelected) {
+  QTest::mouseMove(panel(0), panel(0)->positionOf({0.8, 0.3}).toPoint());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{7}; }, kPatience_ms));
+  ASSERT_TRUE(selection().selected().empty());
+  QTest::keyClick(panel(0), Qt::Key_Return);
+  EXPECT_EQ(selection().selected(), std::vector{RegionId{7}});
+  QTest::keyClicks(nameField(), QStringLiteral("hammer"));
+  QTest::keyClick(nameField(), Qt::Key_Return);
+  ASSERT_NE(lastOperation(), nullptr);
+  EXPECT_EQ(lastOperation()->name, "hammer");
+}
+
 TEST_F(NamingTest, NameIsCompletedToAClass) {
   type(QStringLiteral("hammer"));
   EXPECT_FALSE(choice()->isAsking());
