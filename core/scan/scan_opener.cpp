@@ -338,7 +338,6 @@ void ScanOpener::beginAnewWithoutMap() {
 
 void ScanOpener::leaveOutReadFrames() {
   if (!parts_.request.rest_only || parts_.source->info().is_live || !isSameRecording()) return;
-  if (earlier_->pages.empty()) return;  // the map has none of them
   const SavedRecording& recording = earlier_->recordings.back();
   int last = std::numeric_limits<int>::min(), read = 0;
   for (const SavedFrame& frame : earlier_->frames) {

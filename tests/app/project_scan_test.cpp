@@ -38,7 +38,7 @@ class ProjectScanTest : public testing::Test {
     std::vector<std::string> sources;
     for (const auto& scan : scans()) {
       sources.push_back(scan["source"].get<std::string>());
-      EXPECT_EQ(scan["frames"], 40) << sources.back();
+      EXPECT_EQ(scan["frames"], std::stoi(frames_)) << sources.back();
     }
     std::ranges::sort(sources);
     EXPECT_EQ(sources, (std::vector<std::string>{"demo:tabletop:1", "demo:tabletop:2"}));

@@ -90,7 +90,9 @@ void ServerDialog::showAnswer(const QString& text, bool is_usable, Then then) {
   address_->setEnabled(true);
   answer_->setText(text);
   // An answer may have more lines than the hint, and a window keeps its height by itself.
-  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+  answer_->setMinimumHeight(answer_->heightForWidth(answer_->width()));
+  layout()->activate();
+  resize(width(), std::max(height(), layout()->totalMinimumSize().height()));
   validate();
   // The buttons were off, so that the focus went to Cancel.
   (is_usable ? static_cast<QWidget*>(connect_) : address_)->setFocus();

@@ -41,6 +41,8 @@ ObjectModelScene::ObjectModelScene()
   actor_->GetProperty()->SetPointSize(3);
   actor_->PickableOff();
   drawAsSplats(actor_, SplatOverlap::exact);
+  // A first picture may be drawn before prepare(); the shader needs all its values then, too.
+  setSplats(actor_, SplatView(renderer_->GetActiveCamera(), 1), kSmallest_m, kLeastDisc_px);
   renderer_->AddActor(actor_);
   renderer_->GradientBackgroundOn();
   clear();
