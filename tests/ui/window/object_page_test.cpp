@@ -123,6 +123,8 @@ class ObjectPageTest : public WindowTest {
 
 TEST_F(ObjectPageTest, OpensByDoubleClickOnThePicture_NotOnTheName) {
   const auto rectOf = [&] { return list()->visualRect(rowOf(objects_[1])); };
+  list()->scrollTo(rowOf(objects_[1]));
+  clickOn(objects_[1]);
   QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, rectOf().center());
   EXPECT_EQ(page(), nullptr);
   ASSERT_NE(nameEditor(), nullptr);
