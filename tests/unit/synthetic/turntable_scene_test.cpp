@@ -36,7 +36,8 @@ TEST_P(TurntableSceneTest, ShowsOneThingOfTheSizeOfAHand) {
   EXPECT_LE(size_m, 0.25);
   EXPECT_NEAR(scene.boundsOf(thing).min().z(), scene.boundsOf(disc).max().z(), 1e-6) << "it stands there";
   const cv::Mat mask = source->next().frame.instances == thing;
-  EXPECT_GT(cv::countNonZero(mask), 0.04 * static_cast<double>(mask.total()));
+  // 12 cm by 6 cm at 0.6 m are 52 x 26 pixels of the camera's 262 pixels a radian: 1.8 % of the image.
+  EXPECT_GT(cv::countNonZero(mask), 0.018 * static_cast<double>(mask.total()));
   const cv::Rect box = cv::boundingRect(mask), inner(8, 8, 320 - 16, 240 - 16);
   EXPECT_EQ(box & inner, box) << "it is in view as a whole";
 }
