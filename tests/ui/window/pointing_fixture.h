@@ -57,6 +57,12 @@ class PointingTest : public WindowTest {
 
   ImagePanel* panel(std::size_t i) { return window_->parts().frames->panels()[i]; }
   SceneView* view() { return window_->parts().scene->view(); }
+  /// Moves the mouse to a place of a picture. A cursor that is there already would give no event.
+  void moveOver(std::size_t picture, const QPointF& place) {
+    const QPoint at = panel(picture)->positionOf(place).toPoint();
+    QTest::mouseMove(panel(picture), at + QPoint(9, 9));
+    QTest::mouseMove(panel(picture), at);
+  }
   RegionSelection& selection() { return window_->regions().selection(); }
   QLineEdit* nameField() { return window_->regions().nameEditor().field(); }
 
