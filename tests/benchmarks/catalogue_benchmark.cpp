@@ -2,18 +2,15 @@
 // for changes and another view. The argument is the number of views.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
-#include <unistd.h>
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
 #include <opencv2/core.hpp>
 
 #include "core/base/check.h"
 #include "core/catalogue/object_database.h"
 #include "core/database/database_connection.h"
+#include "tests/benchmarks/written_catalogues.h"
 
 namespace scantrove {
 namespace {
@@ -91,27 +88,8 @@ void fill(const fs::path& file, int views) {
 
 /// A catalogue of `views` views, made once for all benchmarks.
 const std::string& catalogue(int views) {
-  static const std::unique_ptr<fs::path, void (*)(fs::path*)> folder(
-      new fs::path(fs::temp_directory_path() / ("scantrove-benchmark-" + std::to_string(::getpid()))),
-      [](fs::path* path) {
-        fs::remove_all(*path);
-        delete path;
-      });
-  static std::map<int, std::string> files;
-  std::string& file = files[views];
-  if (file.empty()) {
-    fs::create_directories(*folder);
-    file = *folder / (std::to_string(views) + ".sqlite");
-    fill(file, views);
-  }
-  return file;
-}
-
-double residentMegabytes() {
-  std::ifstream statm("/proc/self/statm");
-  double pages = 0;
-  statm >> pages >> pages;
-  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+  static benchmarks::WrittenCatalogues catalogues(fill);
+  return catalogues.of(views);
 }
 
 void BM_OpenAndReadDescriptors(benchmark::State& state) {
@@ -119,13 +97,13 @@ void BM_OpenAndReadDescriptors(benchmark::State& state) {
   double growth_mb = 0;
   for (auto _ : state) {
     ::malloc_trim(0);
-    const double before_mb = residentMegabytes();
+    const double before_mb = benchmarks::residentMemory_mb();
     const auto database = ObjectDatabase::open(file).value();
     const auto model = database->model();
     std::int64_t views = 0;
     const auto last = database->views().forEachDescriptor(0, [&](const StoredDescriptor&) { ++views; });
     SCANTROVE_CHECK(model && last && views == state.range(0));
-    growth_mb = residentMegabytes() - before_mb;
+    growth_mb = benchmarks::residentMemory_mb() - before_mb;
   }
   state.counters["memory_mb"] = growth_mb;
 }

@@ -1,14 +1,10 @@
 // Recognition in a catalogue of many views: time and memory to load it for a scan, and time to compare the
 // four candidates of a frame with it. The argument is the number of views, 20 of each object.
 #include <benchmark/benchmark.h>
-#include <unistd.h>
 
 #include <QByteArray>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -19,6 +15,7 @@
 #include "core/compute/compute_context.h"
 #include "core/database/database_connection.h"
 #include "core/database/transaction.h"
+#include "tests/benchmarks/written_catalogues.h"
 
 namespace scantrove {
 namespace {
@@ -90,27 +87,8 @@ void writeCatalogue(const fs::path& file, int views) {
 
 /// A catalogue of `views` views, made once.
 const std::string& writtenCatalogue(int views) {
-  static const std::unique_ptr<fs::path, void (*)(fs::path*)> folder(
-      new fs::path(fs::temp_directory_path() / ("scantrove-recognition-" + std::to_string(::getpid()))),
-      [](fs::path* path) {
-        fs::remove_all(*path);
-        delete path;
-      });
-  static std::map<int, std::string> files;
-  std::string& file = files[views];
-  if (file.empty()) {
-    fs::create_directories(*folder);
-    file = *folder / (std::to_string(views) + ".sqlite");
-    writeCatalogue(file, views);
-  }
-  return file;
-}
-
-double residentMemory_mb() {
-  std::ifstream statm("/proc/self/statm");
-  double pages = 0;
-  statm >> pages >> pages;
-  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+  static benchmarks::WrittenCatalogues catalogues(writeCatalogue);
+  return catalogues.of(views);
 }
 
 CatalogueMirror emptyMirror() {
@@ -122,10 +100,10 @@ void BM_LoadForScan(benchmark::State& state) {
   const auto database = ObjectDatabase::open(writtenCatalogue(static_cast<int>(state.range(0)))).value();
   double growth_mb = 0;
   for (auto _ : state) {
-    const double before_mb = residentMemory_mb();
+    const double before_mb = benchmarks::residentMemory_mb();
     CatalogueMirror mirror = emptyMirror();
     SCANTROVE_CHECK(mirror.load(*database));
-    growth_mb = residentMemory_mb() - before_mb;
+    growth_mb = benchmarks::residentMemory_mb() - before_mb;
   }
   state.counters["memory_mb"] = growth_mb;
 }

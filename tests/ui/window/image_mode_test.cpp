@@ -1,171 +1,12 @@
-// The image mode, with real mouse events on its canvas.
-#include <QAction>
-#include <QApplication>
+// Painting in the image mode, with real mouse events on its canvas.
 #include <QCheckBox>
-#include <QMouseEvent>
 #include <QSlider>
-#include <QWheelEvent>
-#include <algorithm>
-#include <cmath>
-#include <opencv2/core.hpp>
 #include <string>
 
-#include "tests/ui/window/pointing_fixture.h"
-#include "ui/main_window/main_actions.h"
-#include "ui/painting/image_canvas.h"
-#include "ui/painting/image_mode.h"
-#include "ui/painting/image_page.h"
-#include "ui/painting/image_view_bar.h"
-#include "ui/painting/paint_controller.h"
-#include "ui/painting/paint_tool_bar.h"
+#include "tests/ui/window/image_mode_fixture.h"
 
 namespace scantrove::test {
 namespace {
-
-constexpr int kWidth = 640, kHeight = 480;
-
-/// Key frame 1 of an open scan: region 5 on the left half of the image, 7 on the right.
-class ImageModeTest : public PointingTest {
- protected:
-  void SetUp() override {
-    PointingTest::SetUp();
-    ScanSnapshot snapshot = twoRegions(30);
-    snapshot.state = ScanState::finished;
-    snapshot.key_frames = std::make_shared<const std::vector<int>>(std::vector{0, 30});
-    snapshot.shown_key_frame = 1;
-    worker_->report(std::move(snapshot));
-    action()->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !worker_->key_frames_labeled.empty(); }, kPatience_ms));
-    EXPECT_EQ(worker_->key_frames_labeled.back(), 1);
-    label(halves());
-    tools().setBrushSize(9);
-    canvas().setFocus();
-  }
-
-  static cv::Mat halves() {
-    cv::Mat regions(kHeight, kWidth, CV_32SC1, cv::Scalar(5));
-    regions.colRange(kWidth / 2, kWidth).setTo(7);
-    return regions;
-  }
-  /// The scan answers with the masks of the key frame.
-  void label(const cv::Mat& regions) {
-    KeyFrameLabels labels;
-    labels.index = 1;
-    labels.key_frame = 4;
-    labels.image = 30;
-    labels.color = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar(40, 80, 120));
-    labels.regions = regions.clone();
-    labels.fused_m = cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(1.5));
-    worker_->report(KeyFrameLabeled{labels});
-    const int first = regions.at<int>(0, 0);
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return painting().hasLabels() && painting().labels().regions.at<int>(0, 0) == first; },
-        kPatience_ms));
-    QTest::qWait(200);
-  }
-  QAction* action() { return window_->parts().actions->image_mode; }
-  ImageCanvas& canvas() { return window_->parts().image->canvas(); }
-  PaintToolBar& tools() { return window_->parts().image->tools(); }
-  ImageViewBar& bar() { return window_->parts().image->view(); }
-  PaintController& painting() { return window_->parts().image_mode->painting(); }
-
-  /// Zooms to 4 pixels of the canvas for one of the image, with that pixel in the middle.
-  void zoomTo(const QPointF& pixel) {
-    canvas().fit();
-    for (int i = 0; i < 2; ++i) {
-      const QPointF at = canvas().positionOf(pixel);
-      canvas().zoomAt(at, 4 / canvas().zoom().scale());
-    }
-    ASSERT_DOUBLE_EQ(canvas().zoom().scale(), 4);
-  }
-  QPoint on(double x, double y) { return canvas().positionOf({x, y}).toPoint(); }
-  /// Where a position of the canvas lies, in pixels of the image.
-  cv::Point2f pixelAt(const QPoint& at) {
-    const QPointF pixel = canvas().zoom().toImage(at) - QPointF(0.5, 0.5);
-    return {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
-  }
-  /// A move with the left button down; QTest::mouseMove() has no buttons.
-  void moveTo(const QPoint& to) {
-    QMouseEvent event(QEvent::MouseMove, QPointF(to), canvas().mapToGlobal(QPointF(to)), Qt::NoButton,
-                      Qt::LeftButton, {});
-    QApplication::sendEvent(&canvas(), &event);
-  }
-  void stroke(const QPoint& from, const QPoint& to) {
-    QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
-    moveTo(to);
-    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, to);
-  }
-  /// The pixels whose centres lie within `radius` of a line segment.
-  static cv::Mat within(const cv::Point2f& a, const cv::Point2f& b, double radius) {
-    cv::Mat mask = cv::Mat::zeros(kHeight, kWidth, CV_8UC1);
-    const cv::Point2d from(a), along = cv::Point2d(b) - from;
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const cv::Point2d to = cv::Point2d(x, y) - from;
-        const double share = std::clamp(to.dot(along) / along.dot(along), 0.0, 1.0);
-        const cv::Point2d apart = to - share * along;
-        if (std::hypot(apart.x, apart.y) <= radius) mask.at<std::uint8_t>(y, x) = 255;
-      }
-    }
-    return mask;
-  }
-  static int differing(const cv::Mat& a, const cv::Mat& b) { return cv::countNonZero(a != b); }
-  void wheel(const QPoint& at, int notches, Qt::KeyboardModifiers modifiers = {}) {
-    QWheelEvent event(QPointF(at), canvas().mapToGlobal(QPointF(at)), {}, {0, 120 * notches}, Qt::NoButton,
-                      modifiers, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&canvas(), &event);
-  }
-};
-
-TEST_F(ImageModeTest, ShowsTheImageInPlaceOfTheScene) {
-  EXPECT_TRUE(canvas().isVisible());
-  EXPECT_FALSE(view()->isVisible());
-  EXPECT_FALSE(canvas().layers().picture.isNull());
-  EXPECT_FALSE(canvas().layers().masks.isNull());
-  bar().besideAction()->trigger();
-  EXPECT_TRUE(canvas().isVisible());
-  EXPECT_TRUE(view()->isVisible());
-  bar().besideAction()->trigger();
-  action()->trigger();
-  EXPECT_FALSE(canvas().isVisible());
-  EXPECT_TRUE(view()->isVisible());
-}
-
-TEST_F(ImageModeTest, ADoubleClickOnATitleOpensThatPicture) {
-  action()->trigger();
-  ImagePanel* const depth = panel(1);
-  QTest::mouseDClick(depth, Qt::LeftButton, {}, depth->titleRect().center().toPoint());
-  EXPECT_TRUE(action()->isChecked());
-  EXPECT_EQ(bar().picture(), 1);
-  QTest::keyClick(&canvas(), Qt::Key_V);
-  EXPECT_EQ(bar().picture(), 2);
-}
-
-TEST_F(ImageModeTest, TheWheelKeepsThePixelUnderThePointer) {
-  const QPoint at = on(100, 100);
-  const cv::Point2f before = pixelAt(at);
-  for (int i = 0; i < 6; ++i) wheel(at, 1);
-  EXPECT_GT(canvas().zoom().scale(), 2);
-  EXPECT_NEAR(pixelAt(at).x, before.x, 1e-3);
-  EXPECT_NEAR(pixelAt(at).y, before.y, 1e-3);
-  QTest::keyClick(&canvas(), Qt::Key_0, Qt::ControlModifier);
-  EXPECT_TRUE(canvas().zoom().isFitted());
-}
-
-TEST_F(ImageModeTest, SpaceAndMiddleButtonMoveTheImage) {
-  zoomTo({320, 240});
-  const QPointF before = canvas().positionOf({320, 240});
-  const QPoint from = canvas().rect().center(), by(30, 12);
-  QTest::keyPress(&canvas(), Qt::Key_Space);
-  stroke(from, from + by);
-  QTest::keyRelease(&canvas(), Qt::Key_Space);
-  EXPECT_EQ(canvas().positionOf({320, 240}), before + by);
-  QTest::mousePress(&canvas(), Qt::MiddleButton, {}, from);
-  moveTo(from - by);
-  QTest::mouseRelease(&canvas(), Qt::MiddleButton, {}, from - by);
-  EXPECT_EQ(canvas().positionOf({320, 240}), before);
-  EXPECT_EQ(std::ranges::count(worker_->commands, std::string("pause")), 0);
-}
 
 TEST_F(ImageModeTest, AStrokePaintsExactlyItsPixels_AndUndoRestoresThem) {
   zoomTo({320, 240});
@@ -221,6 +62,7 @@ TEST_F(ImageModeTest, CtrlZLeavesNoDraft_WhenTheScanHasStoredTheStroke) {
 }
 
 // Both strokes are sent before the scan answers the first.
+
 TEST_F(ImageModeTest, KeepsTheDraftOfTheSecondStroke_WhenTheFirstIsStored) {
   zoomTo({320, 240});
   selection().select(RegionId{7});
@@ -363,26 +205,6 @@ TEST_F(ImageModeTest, AFailedEditLeavesTheMasks) {
   EXPECT_EQ(differing(painting().regions(), halves()), 0);
 }
 
-TEST_F(ImageModeTest, ClicksSelect_WithoutATool) {
-  QTest::keyClick(&canvas(), Qt::Key_S);
-  QTest::mouseClick(&canvas(), Qt::LeftButton, {}, on(500, 100));
-  EXPECT_TRUE(selection().isSelected(RegionId{7}));
-  EXPECT_TRUE(worker_->edits.empty());
-}
-
-TEST_F(ImageModeTest, MasksAreFilledOutlinedOrOff) {
-  const auto alphaAt = [&](int x, int y) { return canvas().layers().masks.pixelColor(x, y).alpha(); };
-  EXPECT_EQ(alphaAt(100, 100), 255);
-  QTest::keyClick(&canvas(), Qt::Key_M);
-  EXPECT_EQ(alphaAt(100, 100), 0);
-  EXPECT_EQ(alphaAt(kWidth / 2, 100), 255);
-  QTest::keyClick(&canvas(), Qt::Key_M);
-  EXPECT_TRUE(canvas().layers().masks.isNull());
-  bar().comparisonSlider()->setValue(50);
-  EXPECT_FALSE(canvas().layers().second.isNull());
-  EXPECT_DOUBLE_EQ(canvas().layers().second_opacity, 0.5);
-}
-
 TEST_F(ImageModeTest, BracketsAndCtrlWheelChangeTheBrush) {
   QTest::keyClick(&canvas(), Qt::Key_P);
   QTest::keyClick(&canvas(), Qt::Key_BracketRight);
@@ -391,16 +213,6 @@ TEST_F(ImageModeTest, BracketsAndCtrlWheelChangeTheBrush) {
   wheel(canvas().rect().center(), -1, Qt::ControlModifier);
   EXPECT_LT(tools().brushSize(), 9);
   EXPECT_TRUE(canvas().zoom().isFitted());
-}
-
-TEST_F(ImageModeTest, ALiveImageIsForViewingOnly) {
-  worker_->report(StateChanged{ScanState::starting});
-  worker_->report(StateChanged{ScanState::scanning});
-  worker_->report(twoRegions(5));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !painting().hasLabels(); }, kPatience_ms));
-  EXPECT_FALSE(tools().toolAction(PaintTool::brush)->isEnabled());
-  stroke(on(100, 100), on(120, 100));
-  EXPECT_TRUE(worker_->edits.empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "core/session/catalogue_numbers.h"
 #include "core/session/session_store.h"
+#include "tests/ui/window/saved_key_frames.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/object_pages.h"
@@ -103,15 +104,7 @@ class ObjectPageTest : public WindowTest {
     delta.metadata["ended"] = "2026-11-22T15:40:02Z";
     delta.metadata["database"] = file_.toStdString();
     delta.metadata[kCatalogueKey] = identity_;
-    for (int number = 0; number < 3; ++number) {
-      SavedFrame frame;
-      frame.number = number;
-      frame.state = TrackingState::tracking;
-      delta.frames.push_back(frame);
-      SavedKeyFrame key;
-      key.frame = number;
-      delta.key_frames.push_back(key);
-    }
+    addThreeKeyFrames(delta);
     delta.fragments = {{FragmentId{1}, RegionId{3}, 60}};
     delta.regions = {{RegionId{3}, object, {}}};
     ASSERT_TRUE((*store)->save(delta));

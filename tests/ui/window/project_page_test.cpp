@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/session/session_store.h"
+#include "tests/ui/window/saved_key_frames.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/scan_controller.h"
@@ -36,15 +37,7 @@ class ProjectPageTest : public test::WindowTest {
     delta.metadata["source"] = "demo";
     delta.metadata["ended"] = "2026-11-22T15:40:02Z";
     delta.metadata["refinement"] = "pending";
-    for (int number = 0; number < 3; ++number) {
-      SavedFrame frame;
-      frame.number = number;
-      frame.state = TrackingState::tracking;
-      delta.frames.push_back(frame);
-      SavedKeyFrame key;
-      key.frame = number;
-      delta.key_frames.push_back(key);
-    }
+    test::addThreeKeyFrames(delta);
     delta.fragments = {{FragmentId{1}, RegionId{3}, 60}, {FragmentId{2}, RegionId{4}, 60}};
     delta.regions = {{RegionId{3}, ObjectId{2}, {"red cup", "cup", false, false, false}},
                      {RegionId{4}, ObjectId{5}, {"", "", false, false, false}}};

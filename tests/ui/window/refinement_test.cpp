@@ -3,6 +3,7 @@
 
 #include "tests/ui/window/window_fixture.h"
 #include "ui/main_window/main_actions.h"
+#include "ui/main_window/scan_controller.h"
 #include "ui/panels/progress_strip.h"
 
 namespace scantrove::test {
