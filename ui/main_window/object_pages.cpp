@@ -122,13 +122,18 @@ std::shared_ptr<ObjectPages::Reading> ObjectPages::readingOf(const std::string& 
   return reading;
 }
 
+QString ObjectPages::scansFolder() const {
+  const QString session = window_.onStartPage() ? QString() : window_.controller().sessionFolder();
+  return session.isEmpty() ? window_.controller().scansFolder() : QFileInfo(session).absolutePath();
+}
+
 void ObjectPages::read() {
   if (!isShown() || !window_.editor().isOpen()) return;
   const auto promise = std::make_shared<QPromise<std::shared_ptr<Reading>>>();
   promise->start();
   QThreadPool::globalInstance()->start([promise, object = page_->object(),
                                         database = window_.editor().file().toStdString(),
-                                        scans = window_.controller().scansFolder().toStdString()] {
+                                        scans = scansFolder().toStdString()] {
     promise->addResult(readingOf(database, object, scans));
     promise->finish();
   });

@@ -49,6 +49,8 @@ class ObjectPages : public QObject {
 
   void makePage();
   void schedule();
+  /// Of the open scan's project, which may be opened by its path; else of the chosen project.
+  [[nodiscard]] QString scansFolder() const;
   void read();
   void show(const std::shared_ptr<Reading>& reading);
   void showScans(const std::vector<ScanOfObject>& scans);

@@ -14,7 +14,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kViewPicture_px = 180;
+constexpr int kViewPicture_px = 110;
 
 QLabel* headingOf(const QString& text) {
   auto* label = new QLabel(QStringLiteral("<b>%1</b>").arg(text));
@@ -122,7 +122,10 @@ void ObjectPage::readRow() {
 void ObjectPage::setViews(const std::vector<QImage>& pictures) {
   views_->clear();
   for (const QImage& picture : pictures) {
-    auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(picture)), QString());
+    // Crops of small things are enlarged: they are there to be judged.
+    const QImage shown =
+        picture.scaled(kViewPicture_px, kViewPicture_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(shown)), QString());
     item->setData(Qt::AccessibleTextRole, tr("View %1").arg(views_->count() + 1));
     views_->addItem(item);
   }

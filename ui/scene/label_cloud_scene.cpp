@@ -1,25 +1,17 @@
 #include "ui/scene/label_cloud_scene.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkCommand.h>
-#include <vtk_glew.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "ui/scene/splats.h"
 #include "ui/scene/up_direction.h"
 
 namespace scantrove {
 namespace {
 
 constexpr std::size_t kFirstLevelingPoints = 20'000;
-
-/// The chunks' vertex shader sets point sizes (see CloudChunk).
-void enableProgramPointSize(vtkObject* /*caller*/, unsigned long /*event*/, void* /*client*/,
-                            void* /*data*/) {
-  glEnable(GL_PROGRAM_POINT_SIZE);
-}
 
 void setBackdrop(vtkRenderer* renderer, const Rgb& top, const Rgb& bottom) {
   renderer->GradientBackgroundOn();
@@ -43,9 +35,7 @@ LabelCloudScene::LabelCloudScene()
       measure_(renderer_),
       arrow_(renderer_),
       parts_(renderer_) {
-  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
-  command->SetCallback(enableProgramPointSize);
-  renderer_->AddObserver(vtkCommand::StartEvent, command);
+  enableSplats(renderer_);
   setColors(Colors{});
 }
 

@@ -40,6 +40,7 @@ ObjectModelScene::ObjectModelScene()
   actor_->GetProperty()->LightingOff();
   actor_->GetProperty()->SetPointSize(3);
   actor_->PickableOff();
+  enableSplats(renderer_);
   drawAsSplats(actor_, SplatOverlap::exact);
   // A first picture may be drawn before prepare(); the shader needs all its values then, too.
   setSplats(actor_, SplatView(renderer_->GetActiveCamera(), 1), kSmallest_m, kLeastDisc_px);

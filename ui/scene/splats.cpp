@@ -1,9 +1,13 @@
 #include "ui/scene/splats.h"
 
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
+#include <vtk_glew.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -42,6 +46,11 @@ constexpr const char* kFragmentCode =
     "  if (square > splat.w) discard;\n";
 constexpr const char* kExactDepth = "  gl_FragDepth = gl_FragCoord.z + splat.z * (nearer - 0.4 * square);\n";
 
+void enableProgramPointSize(vtkObject* /*caller*/, unsigned long /*event*/, void* /*client*/,
+                            void* /*data*/) {
+  glEnable(GL_PROGRAM_POINT_SIZE);
+}
+
 Eigen::Vector3f floats(const double* v) { return Eigen::Vector3d(v[0], v[1], v[2]).cast<float>(); }
 
 }  // namespace
@@ -54,6 +63,12 @@ SplatView::SplatView(vtkCamera* camera, int height_px)
   pixels_per_meter_at_1m = static_cast<float>(height_px / 2.0 / std::tan(half_angle));
   const double* range = camera->GetClippingRange();
   depth_factor = static_cast<float>(range[0] * range[1] / (range[1] - range[0]));
+}
+
+void enableSplats(vtkRenderer* renderer) {
+  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+  command->SetCallback(enableProgramPointSize);
+  renderer->AddObserver(vtkCommand::StartEvent, command);
 }
 
 void drawAsSplats(vtkActor* actor, SplatOverlap overlap) {

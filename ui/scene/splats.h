@@ -3,6 +3,7 @@
 
 class vtkActor;
 class vtkCamera;
+class vtkRenderer;
 
 namespace scantrove {
 
@@ -21,6 +22,9 @@ struct SplatView {
 /// covers the pixels nearest to its centre, which gives a smooth surface but takes up to twice the time
 /// without a graphics card.
 enum class SplatOverlap { quick, exact };
+
+/// Lets shaders set the size of points in a renderer's pictures, without which discs are single pixels.
+void enableSplats(vtkRenderer* renderer);
 
 /// Makes an actor draw its points as discs in the surface plane of their normals, or facing the viewer
 /// without a normal. Changing `overlap` compiles a shader.

@@ -25,8 +25,7 @@ class NamingTest : public PointingTest {
 
 TEST_F(NamingTest, ReturnNamesWhatIsPointedAt_WhenNothingIsSelected) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !pixelInScene(RegionId{7}).isNull(); }, kPatience_ms));
-  moveOver(0, {0.8, 0.3});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{7}; }, kPatience_ms));
+  ASSERT_TRUE(hoverOver(0, {0.8, 0.3}, RegionId{7}));
   ASSERT_TRUE(selection().selected().empty());
   QTest::keyClick(panel(0), Qt::Key_Return);
   EXPECT_EQ(selection().selected(), std::vector{RegionId{7}});

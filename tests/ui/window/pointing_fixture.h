@@ -57,11 +57,17 @@ class PointingTest : public WindowTest {
 
   ImagePanel* panel(std::size_t i) { return window_->parts().frames->panels()[i]; }
   SceneView* view() { return window_->parts().scene->view(); }
-  /// Moves the mouse to a place of a picture. A cursor that is there already would give no event.
-  void moveOver(std::size_t picture, const QPointF& place) {
-    const QPoint at = panel(picture)->positionOf(place).toPoint();
-    QTest::mouseMove(panel(picture), at + QPoint(9, 9));
-    QTest::mouseMove(panel(picture), at);
+  /// Moves the mouse about a place of a picture until the region there is highlighted. A cursor that stands
+  /// still gives no event, and the first may come before the picture.
+  bool hoverOver(std::size_t picture, const QPointF& place, RegionId region) {
+    return QTest::qWaitFor(
+        [&] {
+          const QPoint at = panel(picture)->positionOf(place).toPoint();
+          QTest::mouseMove(panel(picture), at + QPoint(9, 9));
+          QTest::mouseMove(panel(picture), at);
+          return selection().hovered() == region;
+        },
+        kPatience_ms);
   }
   RegionSelection& selection() { return window_->regions().selection(); }
   QLineEdit* nameField() { return window_->regions().nameEditor().field(); }

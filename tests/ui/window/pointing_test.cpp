@@ -22,8 +22,7 @@ namespace {
 
 TEST_F(PointingTest, HoverHighlightsARegionInAllViews_AndShowsItsName) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !pixelInScene(RegionId{7}).isNull(); }, kPatience_ms));
-  moveOver(0, {0.8, 0.3});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{7}; }, kPatience_ms));
+  ASSERT_TRUE(hoverOver(0, {0.8, 0.3}, RegionId{7}));
   EXPECT_EQ(panel(0)->tag().value(0), QStringLiteral("red cup"));
   EXPECT_TRUE(panel(0)->tag().value(1).contains(QStringLiteral("cup")));
   for (std::size_t i = 0; i < 5; ++i) {
@@ -284,7 +283,7 @@ TEST_F(PointingTest, TabSelectsTheNextRegion_AndEscapeDeselects) {
 }
 
 TEST_F(PointingTest, RightClickOpensTheRegionMenu) {
-  moveOver(0, {0.8, 0.3});
+  ASSERT_TRUE(hoverOver(0, {0.8, 0.3}, RegionId{7}));
   const QPoint place = panel(0)->positionOf({0.8, 0.3}).toPoint();
   QContextMenuEvent event(QContextMenuEvent::Mouse, place, panel(0)->mapToGlobal(place));
   QApplication::sendEvent(panel(0), &event);
