@@ -34,6 +34,9 @@ constexpr std::uint32_t kHeaderBytes =
 constexpr std::uint32_t kEndRecord = 0x0B;
 constexpr std::uint32_t kLargestRecord = 20U << 20;  // buffer size of OpenNI2's reader
 
+/// Images that cameras take: OpenNI2 allocates several of the size that the file names.
+constexpr std::uint32_t kLongestSide_px = 8192, kMostPixels = 32U << 20;
+
 /// Types whose fields begin with a length-prefixed name. Properties continue with the length of a value.
 constexpr std::uint32_t kFirstProperty = 0x03;
 constexpr std::uint32_t kLastProperty = 0x06;
@@ -63,8 +66,17 @@ bool isName(const std::string& text) {
          std::all_of(text.begin(), text.end() - 1, [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-/// Whether the lengths in the fields are correct and the name is ASCII. OpenNI2 indexes a table by the name's
-/// letters and reads out of bounds for others.
+/// Whether a property is no size of images, or one that a camera has: width, height, and rate follow.
+bool isModestSize(std::ifstream& stream, const std::string& name, std::uint64_t at, std::uint32_t bytes) {
+  if (!name.starts_with("xnMapOutputMode")) return true;
+  const auto width = readAt<std::uint32_t>(stream, at);
+  const auto height = readAt<std::uint32_t>(stream, at + sizeof(std::uint32_t));
+  return bytes >= 2 * sizeof(std::uint32_t) && width && height && *width <= kLongestSide_px &&
+         *height <= kLongestSide_px && *width * *height <= kMostPixels;
+}
+
+/// Whether the lengths in the fields are correct, the name is ASCII, and images have a modest size. OpenNI2
+/// indexes a table by the name's letters and reads out of bounds for others.
 bool areFieldsSound(std::ifstream& stream, std::uint64_t at, const RecordHeader& record) {
   const bool is_property = record.type >= kFirstProperty && record.type <= kLastProperty;
   const bool is_node = std::ranges::count(kNodeAdded, record.type) > 0;
@@ -83,7 +95,10 @@ bool areFieldsSound(std::ifstream& stream, std::uint64_t at, const RecordHeader&
   }
   const std::uint32_t rest = fields - kLength - *name_bytes;
   const auto value_bytes = readAt<std::uint32_t>(stream, at + kHeaderBytes + kLength + *name_bytes);
-  return !is_property || (rest >= kLength && value_bytes && *value_bytes <= rest - kLength);
+  if (!is_property) return true;
+  const std::uint64_t value = at + kHeaderBytes + kLength + *name_bytes + kLength;
+  return rest >= kLength && value_bytes && *value_bytes <= rest - kLength &&
+         isModestSize(stream, *name, value, *value_bytes);
 }
 
 }  // namespace

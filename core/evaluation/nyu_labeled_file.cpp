@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "core/base/check.h"
 #include "core/base/regular_file.h"
+#include "core/evaluation/hdf5_chunks.h"
 #include "core/evaluation/hdf5_handle.h"
 
 namespace scantrove {
@@ -21,8 +23,6 @@ namespace {
 constexpr hsize_t kLongestSide_px = 8192;
 constexpr hsize_t kMostImages = 100'000;
 constexpr hsize_t kLongestName = 4096;
-/// HDF5 reads whole chunks. Those of MATLAB hold a few megabytes.
-constexpr std::uint64_t kLargestChunkBytes = std::uint64_t{1} << 30;
 constexpr const char* kDownloadAdvice = "Download nyu_depth_v2_labeled.mat again.";
 
 std::vector<hsize_t> shapeOf(const Hdf5Dataset& dataset) {
@@ -39,22 +39,10 @@ H5T_class_t classOf(const Hdf5Dataset& dataset) {
   return type ? H5Tget_class(type.id()) : H5T_NO_CLASS;
 }
 
-/// Whether HDF5 can read the data without a buffer that only the file's header asks for.
-bool hasModestChunks(const Hdf5Dataset& dataset) {
-  const Hdf5Properties properties(H5Dget_create_plist(dataset.id()));
-  if (!properties) return false;
-  if (H5Pget_layout(properties.id()) != H5D_CHUNKED) return true;
-  std::array<hsize_t, H5S_MAX_RANK> chunk{};
-  const int rank = H5Pget_chunk(properties.id(), H5S_MAX_RANK, chunk.data());
-  const Hdf5Type type(H5Dget_type(dataset.id()));
-  std::uint64_t bytes = type ? H5Tget_size(type.id()) : 0;
-  if (rank < 1 || bytes == 0) return false;
-  for (int i = 0; i < rank; ++i) {
-    const hsize_t side = chunk[static_cast<std::size_t>(i)];
-    if (side == 0 || side > kLargestChunkBytes / bytes) return false;
-    bytes *= side;
-  }
-  return true;
+/// Whether HDF5 reads the whole array within its buffers; see hdf5_chunks.h.
+bool isSafeToReadWhole(const Hdf5Dataset& dataset, hsize_t file_bytes) {
+  const std::vector<hsize_t> shape = shapeOf(dataset), start(shape.size(), 0);
+  return !shape.empty() && hasSafeForm(dataset) && isSafeToRead(dataset, {start, shape}, file_bytes);
 }
 
 Hdf5Dataset openDataset(const Hdf5File& file, const char* name) {
@@ -67,7 +55,7 @@ Result<NyuNumberArray> openArray(const Hdf5File& file, const char* name, H5T_cla
   array.dataset = openDataset(file, name);
   if (!array.dataset) return fail(path + " has no array '" + name + "'.", kDownloadAdvice);
   const std::vector<hsize_t> shape = shapeOf(array.dataset);
-  if (shape.size() != 3 || classOf(array.dataset) != of_class || !hasModestChunks(array.dataset)) {
+  if (shape.size() != 3 || classOf(array.dataset) != of_class || !hasSafeForm(array.dataset)) {
     return fail("The array '" + std::string(name) + "' of " + path + " has another form than in NYUv2.",
                 kDownloadAdvice);
   }
@@ -76,13 +64,15 @@ Result<NyuNumberArray> openArray(const Hdf5File& file, const char* name, H5T_cla
 }
 
 /// The text of a dataset that a cell of MATLAB refers to: one number of 16 bits for each character.
-std::optional<std::string> textOf(const Hdf5File& file, hobj_ref_t reference) {
+std::optional<std::string> textOf(const Hdf5File& file, hobj_ref_t reference, hsize_t file_bytes) {
   const Hdf5Dataset dataset(H5Rdereference2(file.id(), H5P_DEFAULT, H5R_OBJECT, &reference));
   if (!dataset || H5Iget_type(dataset.id()) != H5I_DATASET) return std::nullopt;
   hsize_t length = 1;
   for (const hsize_t side : shapeOf(dataset)) length = side > kLongestName ? side : length * side;
-  if (length == 0 || length > kLongestName || classOf(dataset) != H5T_INTEGER || !hasModestChunks(dataset))
+  if (length == 0 || length > kLongestName || classOf(dataset) != H5T_INTEGER ||
+      !isSafeToReadWhole(dataset, file_bytes)) {
     return std::nullopt;
+  }
   const Hdf5Space space(H5Dget_space(dataset.id()));
   if (!space || H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(length))
     return std::nullopt;
@@ -99,15 +89,15 @@ std::optional<std::string> textOf(const Hdf5File& file, hobj_ref_t reference) {
 
 /// The texts of a cell array with `count` cells.
 Result<std::vector<std::string>> readTexts(const Hdf5File& file, const char* name, hsize_t count,
-                                           const std::string& path) {
+                                           const std::string& path, hsize_t file_bytes) {
   const Hdf5Dataset dataset = openDataset(file, name);
   if (!dataset) return fail(path + " has no list '" + name + "'.", kDownloadAdvice);
   const std::string list = "The list '" + std::string(name) + "' of " + path;
   const Hdf5Space space(H5Dget_space(dataset.id()));
   const Hdf5Type type(H5Dget_type(dataset.id()));
   const bool are_references = type && H5Tequal(type.id(), H5T_STD_REF_OBJ) > 0;
-  if (!space || !are_references || !hasModestChunks(dataset) ||
-      H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(count)) {
+  if (!space || !are_references || H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(count) ||
+      !isSafeToReadWhole(dataset, file_bytes)) {
     return fail(list + " has no text for each image.", kDownloadAdvice);
   }
   std::vector<hobj_ref_t> references(count);
@@ -115,7 +105,7 @@ Result<std::vector<std::string>> readTexts(const Hdf5File& file, const char* nam
     return fail(list + " is damaged.", kDownloadAdvice);
   std::vector<std::string> texts;
   for (const hobj_ref_t reference : references) {
-    auto text = textOf(file, reference);
+    auto text = textOf(file, reference, file_bytes);
     if (!text) {
       return fail(list + ": text " + std::to_string(texts.size() + 1) + " is damaged.", kDownloadAdvice);
     }
@@ -134,6 +124,7 @@ bool isRelativeName(const std::string& name) {
 
 struct NyuLabeledFile::Contents {
   std::string path;
+  hsize_t bytes = 0;  ///< of the file, when it was opened
   Hdf5File file;
   NyuNumberArray labels, instances, depths;
 
@@ -148,7 +139,7 @@ struct NyuLabeledFile::Contents {
     const Hdf5Space in_file(H5Dget_space(array.dataset.id()));
     const Hdf5Space in_memory(H5Screate_simple(3, count.data(), nullptr));
     const bool is_read =
-        in_file && in_memory &&
+        in_file && in_memory && isSafeToRead(array.dataset, {start, count}, bytes) &&
         H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >=
             0 &&
         H5Dread(array.dataset.id(), type, in_memory.id(), in_file.id(), H5P_DEFAULT, columns.data) >= 0;
@@ -171,6 +162,9 @@ Result<NyuLabeledFile> NyuLabeledFile::open(const std::filesystem::path& file) {
   const Hdf5Silence quiet;
   auto contents = std::make_unique<Contents>();
   contents->path = file.string();
+  std::error_code unknown;
+  contents->bytes = std::filesystem::file_size(file, unknown);
+  if (unknown) return fail(contents->path + " cannot be read: " + unknown.message() + ".", kDownloadAdvice);
   contents->file = Hdf5File(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   if (!contents->file) {
     return fail(
@@ -191,9 +185,9 @@ Result<NyuLabeledFile> NyuLabeledFile::open(const std::filesystem::path& file) {
                     std::to_string(rows) + " pixels, which NYUv2 cannot have.",
                 kDownloadAdvice);
   }
-  auto files = readTexts(contents->file, "rawDepthFilenames", count, path);
+  auto files = readTexts(contents->file, "rawDepthFilenames", count, path, contents->bytes);
   if (!files) return fail(files.error());
-  auto scenes = readTexts(contents->file, "scenes", count, path);
+  auto scenes = readTexts(contents->file, "scenes", count, path, contents->bytes);
   if (!scenes) return fail(scenes.error());
   NyuLabeledFile labeled(std::move(contents));
   labeled.size_ = {static_cast<int>(columns), static_cast<int>(rows)};

@@ -22,11 +22,12 @@ inline std::string oniRecord(std::uint32_t type, const std::string& fields, cons
 }
 
 /// An .oni file with one node, one property, one image of an unknown format, and its end.
-inline std::string oniBytes(const std::string& property = "Mirror") {
+inline std::string oniBytes(const std::string& property = "Mirror",
+                            const std::string& value = raw(std::uint64_t{1})) {
   const std::string header = "NI10" + raw(std::uint32_t{0x00010001}) + raw(std::uint32_t{0}) +
                              raw(std::uint64_t{33333}) + raw(std::uint32_t{1});
   return header + oniRecord(0x0D, oniText("Depth1") + std::string(32, 'f')) +
-         oniRecord(0x03, oniText(property) + raw(std::uint32_t{8}) + raw(std::uint64_t{1})) +
+         oniRecord(0x03, oniText(property) + raw(static_cast<std::uint32_t>(value.size())) + value) +
          oniRecord(0x0A, std::string(12, 't'), std::string(300, 'p')) + oniRecord(0x0B, "");
 }
 

@@ -12,8 +12,8 @@ int dlclose(void* library);
 const char* __asan_default_options() { return "intercept_tls_get_addr=0"; }
 
 // Memory that libraries hold until the process ends: OpenNI2 and its drivers, D-Bus of Qt, Mesa's software
-// OpenGL with LLVM and X libraries; and PoCL, 16 bytes for each kernel compiled without its cache. The last
-// also hides leaked OpenCL objects; cl:: handles hold all of ours.
+// OpenGL with LLVM and X libraries; HDF5 after it has read a damaged file; and PoCL, 16 bytes for each kernel
+// compiled without its cache. The last also hides leaked OpenCL objects; cl:: handles hold all of ours.
 const char* __lsan_default_suppressions() {
   return "leak:libOpenNI2\n"
          "leak:OpenNI2/Drivers\n"
@@ -21,6 +21,7 @@ const char* __lsan_default_suppressions() {
          "leak:_dri.so\n"
          "leak:libGLX_mesa\n"
          "leak:libLLVM\n"
+         "leak:libhdf5\n"
          "leak:libpocl\n"
          "leak:libxcb\n";
 }

@@ -125,6 +125,25 @@ TEST(NyuLabeledFile, NamesTheImage_WhenItsBytesAreDamaged) {
                                               HasSubstr("labeled.mat"), HasSubstr("damaged")));
 }
 
+// HDF5 copies a whole chunk, however little a stream unpacks to.
+TEST(NyuLabeledFile, NamesTheImage_WhenAChunkUnpacksToLess) {
+  const test::TemporaryFolder folder;
+  test::NyuLabeledWriter::write(folder / "labeled.mat", numberedImages(2));
+  std::string bytes = test::readText(folder / "labeled.mat");
+  // zlib: header, one last stored block of two zeros, their Adler-32: 1 + 0 + 0, and 1 + 1.
+  const std::string two_zeros("\x78\x01\x01\x02\x00\xFD\xFF\x00\x00\x00\x02\x00\x01", 13);
+  const std::string start_of_stream = "\x78\x5E";
+  for (std::size_t at = 0; (at = bytes.find(start_of_stream, at)) != std::string::npos;
+       at += two_zeros.size())
+    bytes.replace(at, two_zeros.size(), two_zeros);
+  folder.write("labeled.mat", bytes);
+  const auto file = NyuLabeledFile::open(folder / "labeled.mat");
+  ASSERT_TRUE(file) << file.error().message();
+  const auto labels = file->labels(0);
+  ASSERT_FALSE(labels);
+  EXPECT_THAT(labels.error().message(), AllOf(HasSubstr("Image 1"), HasSubstr("labeled.mat")));
+}
+
 TEST(NyuLabeledFile, RefusesNamesOutsideTheRawFolder) {
   const test::TemporaryFolder folder;
   for (const char* name : {"../../secret/d-1.5-1.pgm", "/etc/d-1.5-1.pgm"}) {
