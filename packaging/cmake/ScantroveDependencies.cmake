@@ -37,6 +37,7 @@ endif()
 
 find_path(PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.12 REQUIRED)
 find_library(PCL_COMMON_LIBRARY pcl_common REQUIRED)
+find_library(PCL_KDTREE_LIBRARY pcl_kdtree REQUIRED)  # of a benchmark
 find_library(PCL_IO_LIBRARY pcl_io REQUIRED)
 find_library(PCL_FEATURES_LIBRARY pcl_features REQUIRED)
 find_library(PCL_FILTERS_LIBRARY pcl_filters REQUIRED)
