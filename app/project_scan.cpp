@@ -11,6 +11,7 @@
 #include "app/scan_runner.h"
 #include "core/exchange/atomic_file.h"
 #include "core/project/recording_claim.h"
+#include "core/session/recording_part.h"
 #include "core/session/session_list.h"
 #include "core/session/session_setup.h"
 
@@ -28,12 +29,13 @@ std::string secondOfDay() {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H.%M.%S", &local)};
 }
 
-/// The project's scan of that source: the one that read it to the end, else the newest that could be
-/// continued. Null: none.
-const SessionSummary* scanOf(const std::vector<SessionSummary>& scans, const std::string& source) {
+/// The project's scan of that part of the source: the one that read it to the end, else the newest that could
+/// be continued. Null: none.
+const SessionSummary* scanOf(const std::vector<SessionSummary>& scans, const std::string& source,
+                             const std::string& part) {
   const SessionSummary* found = nullptr;
   for (const SessionSummary& scan : scans) {
-    if (!scan.damage.empty() || scan.source != source) continue;
+    if (!scan.damage.empty() || scan.source != source || (!scan.part.empty() && scan.part != part)) continue;
     if (found == nullptr || (scan.read_to_end && !found->read_to_end)) found = &scan;
   }
   return found;
@@ -53,8 +55,10 @@ Result<void> scanInto(const Project& project, ScanRequest request, const Session
   if (earlier != nullptr) {
     folder = earlier->folder;
   } else {
-    SCANTROVE_TRY(moveInto(
-        folder, createScanFolder(project, secondOfDay(), fs::path(request.source).filename().string())));
+    const std::string part = partInWords(request.source_options);
+    std::string title = fs::path(request.source).filename().string();
+    if (part != kWholeRecording) title += ", " + part;
+    SCANTROVE_TRY(moveInto(folder, createScanFolder(project, secondOfDay(), title)));
   }
   request.output_folder = folder;
   request.database = project.catalogue.string();
@@ -82,8 +86,10 @@ Result<void> scanInto(const Project& project, ScanRequest request, const Session
 Result<void> scanClaimed(const Project& project, const ScanRequest& request, RecordingOutcome& outcome) {
   SCANTROVE_TRY(prepareOutputFolder(project.scansFolder()));
   SCANTROVE_TRY(prepareOutputFolder(project.claimsFolder()));
+  const std::string part = partInWords(request.source_options);
+  const std::string claimed = part == kWholeRecording ? request.source : request.source + ", " + part;
   RecordingClaim::Attempt attempt;
-  SCANTROVE_TRY(moveInto(attempt, RecordingClaim::take(project.claimsFolder(), request.source)));
+  SCANTROVE_TRY(moveInto(attempt, RecordingClaim::take(project.claimsFolder(), claimed)));
   if (attempt.claim == nullptr) {
     outcome.kind = RecordingOutcome::Kind::skipped;
     outcome.reason = "another program scans it now (" + attempt.owner.describe() + ")";
@@ -91,7 +97,7 @@ Result<void> scanClaimed(const Project& project, const ScanRequest& request, Rec
   }
   // Listed under the claim: another program may just have finished it.
   const std::vector<SessionSummary> scans = listSessions(project.scansFolder());
-  const SessionSummary* earlier = scanOf(scans, request.source);
+  const SessionSummary* earlier = scanOf(scans, request.source, part);
   if (earlier != nullptr && earlier->read_to_end) {
     outcome.kind = RecordingOutcome::Kind::skipped;
     outcome.scan = earlier->name;

@@ -22,6 +22,7 @@ Json toJson(const SessionSummary& session) {
           {"name", session.name},
           {"started", session.started},
           {"source", session.source},
+          {"part", session.part},
           {"frames", session.frames},
           {"tracked", session.tracked},
           {"key_frames", session.key_frames},

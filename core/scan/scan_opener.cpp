@@ -20,6 +20,7 @@
 #include "core/session/catalogue_numbers.h"
 #include "core/session/open_session.h"
 #include "core/session/output_owner.h"
+#include "core/session/recording_part.h"
 #include "core/session/session_restorer.h"
 #include "core/session/session_setup.h"
 
@@ -196,6 +197,7 @@ Result<void> ScanOpener::beginSession(const SourceInfo& info) {
   setup.metadata = metadataOf({request.source, info.intrinsics, request.params,
                                storedDatabaseName(request.database, *request.output_folder),
                                Eigen::Vector3d::Zero(), std::string(toString(request.poses))});
+  setup.metadata[kPartKey] = partInWords(request.source_options);
   setup.metadata.merge(refinementMetadata(false));
   // Files of an earlier scan that this one does not replace still belong to this program.
   const bool writes_labels = parts_.output && request.label_maps;
@@ -317,6 +319,10 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
     recorder.setMetadata("ended", "");  // not ended this time
     recorder.setMetadata(kReadToEndKey, "");
     recorder.setMetadata(kPosesKey, std::string(toString(request.poses)));
+    const auto part = earlier_->metadata.find(kPartKey);
+    const bool is_same_part = isSameRecording() && part != earlier_->metadata.end() &&
+                              part->second == partInWords(request.source_options);
+    if (!is_same_part) recorder.setMetadata(kPartKey, "");
     for (const auto& [name, value] : refinementMetadata(false)) recorder.setMetadata(name, value);
     leaveOutReadFrames();
     continueNumbers(earlier_->frames);

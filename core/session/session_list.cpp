@@ -19,6 +19,7 @@
 #include "core/database/database_connection.h"
 #include "core/labeling/region_partition.h"
 #include "core/session/inside_folder.h"
+#include "core/session/recording_part.h"
 #include "core/session/refinement_state.h"
 #include "core/session/review_rows.h"
 #include "core/session/session_schema.h"
@@ -157,6 +158,9 @@ Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
   const auto version = schema::versionToRead(database, schema::kSession, schema::sessionSteps(), 1);
   if (!version) return fail(version.error());
   SCANTROVE_TRY(readText(database, "SELECT value FROM facts WHERE name = 'source'", summary.source));
+  SCANTROVE_TRY(readText(database,
+                         QString("SELECT value FROM facts WHERE name = '%1'").arg(QLatin1String(kPartKey)),
+                         summary.part));
   SCANTROVE_TRY(readText(database, "SELECT value FROM facts WHERE name = 'database'", summary.database));
   SCANTROVE_TRY(
       readText(database, "SELECT applied FROM schema_migrations WHERE version = 1", summary.started));

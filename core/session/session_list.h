@@ -14,6 +14,7 @@ struct SessionSummary {
   std::filesystem::path folder;
   std::string name;               ///< the folder's
   std::string source;             ///< as given to the scan
+  std::string part;               ///< of the recording: partInWords(); empty: unknown
   std::string database;           ///< its catalogue, as stored in the session
   std::string started;            ///< ISO 8601, UTC; empty: unknown
   std::filesystem::path picture;  ///< colour image of the middle key frame; empty: none

@@ -126,6 +126,22 @@ TEST_F(ProjectScanTest, TakesItsShareOfTheList) {
   expectWrongUsage(runProgram(scanList({"--task", "4/3"})), {"--task", "4/3"});
 }
 
+TEST_F(ProjectScanTest, ScansAnotherPartOfARecording_AsAnotherScan) {
+  const auto scanPart = [&](const std::vector<std::string>& part) {
+    std::vector<std::string> words = {"project",           "scan",  project_, "demo:tabletop:1",
+                                      "--skip-refinement", "--json"};
+    words.insert(words.end(), part.begin(), part.end());
+    return jsonOf(scantrove(words));
+  };
+  EXPECT_EQ(scanPart({"--frames", "3"})["done"], 1);
+  EXPECT_EQ(scanPart({"--start", "5", "--frames", "2"})["done"], 1);
+  EXPECT_EQ(scanPart({"--start", "5", "--frames", "2"})["skipped"], 1) << "this part is scanned";
+  std::vector<std::string> parts;
+  for (const auto& scan : scans()) parts.push_back(scan["part"].get<std::string>());
+  std::ranges::sort(parts);
+  EXPECT_EQ(parts, (std::vector<std::string>{"3 frames", "from frame 5, 2 frames"}));
+}
+
 TEST_F(ProjectScanTest, IsRefused_WithoutSourcesOrList) {
   expectWrongUsage(scantrove({"project", "scan", project_}), {"SOURCE", "--list"});
   expectWrongUsage(scantrove({"project", "scan", project_, "--list", folder_ / "none"}), {"--list", "none"});

@@ -106,6 +106,11 @@ void ImageMode::connectBars() {
   connect(&tools, &PaintToolBar::toolChosen, this, &ImageMode::updateTool);
   connect(&tools, &PaintToolBar::brushSizeChanged, this, &ImageMode::updateTool);
   connect(tools.newRegionBox(), &QCheckBox::toggled, painting_, &PaintController::setNewRegion);
+  // One region for each tick. The earlier selection is not what the next stroke is for.
+  connect(painting_, &PaintController::newRegionPainted, this, [this] {
+    parts_.page.tools().newRegionBox()->setChecked(false);
+    parts_.selection.select(RegionId{});
+  });
   connect(tools.thisImageBox(), &QCheckBox::toggled, painting_, &PaintController::setThisImageOnly);
   connect(tools.resetAction(), &QAction::triggered, this, [this] {
     const std::vector<RegionId>& selected = parts_.selection.selected();

@@ -213,6 +213,7 @@ void PaintController::makeRegion(const cv::Mat& painted) {
   perform(std::move(operation), {.region = static_cast<std::uint32_t>(kNewRegion),
                                  .added = painted,
                                  .removed = cv::Mat::zeros(painted.size(), CV_8UC1)});
+  emit newRegionPainted();
 }
 
 void PaintController::perform(Operation operation, const PaintedMask& shown) {

@@ -63,6 +63,8 @@ class PaintController : public QObject {
   void draftChanged(const QRect& changed);
   void regionsChanged();
   void operationReady(const scantrove::Operation& operation);
+  /// What was painted becomes a region of its own, which the scan is still to make.
+  void newRegionPainted();
   void failed(const QString& message);
 
  private:

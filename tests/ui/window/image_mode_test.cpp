@@ -180,8 +180,13 @@ TEST_F(ImageModeTest, ANewRegionIsSelected_WhenTheScanHasMadeIt) {
   EXPECT_TRUE(paint.correction->makes_region);
   EXPECT_EQ(paint.regions, std::vector{RegionId{5}});
   EXPECT_EQ(differing(paint.correction->removed.mask(), paint.correction->added.mask() == 0), 0);
+  EXPECT_FALSE(tools().newRegionBox()->isChecked()) << "one region for each tick";
   worker_->storeEdit({RegionId{7}, RegionId{5}});
   EXPECT_TRUE(QTest::qWaitFor([&] { return selection().isSelected(RegionId{7}); }, kPatience_ms));
+  stroke(on(290, 240), on(310, 240));
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  EXPECT_FALSE(lastOperation()->correction->makes_region);
+  EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{7}}) << "the next stroke extends it";
 }
 
 TEST_F(ImageModeTest, ResetMaskTakesPaintingsBack) {
