@@ -100,7 +100,7 @@ void ProjectChoice::openAtStart(const QString& project, const QString& catalogue
     if (const Result<Project> given = openProject(project.toStdString()); !given) {
       emit failed(QString::fromStdString(given.error().message()));
     } else if (showAndUse(*given)) {
-      return;
+      return remember();
     }
   }
   if (!catalogue.isEmpty()) {

@@ -20,8 +20,8 @@ class ProjectChoice : public QObject {
   /// Both outlive this.
   ProjectChoice(CatalogueEditor& editor, ScanController& controller, QObject* parent = nullptr);
 
-  /// Opens the given project or catalogue for this run; if both are empty, the project chosen last, or the
-  /// default one.
+  /// Opens the given project, which is then the one chosen last; or the given catalogue for this run; if both
+  /// are empty, the project chosen last, or the default one.
   void openAtStart(const QString& project, const QString& catalogue);
   /// Opens the project in `folder`. False: it cannot be opened, and the old one stays; failed() was emitted.
   bool open(const QString& folder);

@@ -92,6 +92,16 @@ TEST_F(ProjectChoiceTest, NewProjectIsShown_AndOpenedAgainAfterARestart) {
   EXPECT_EQ(shownName(), QStringLiteral("mugs"));
 }
 
+TEST_F(ProjectChoiceTest, ProjectOfTheCommandLineIsOpenedAgain_AfterARestart) {
+  const QString folder = folder_.filePath(QStringLiteral("mugs"));
+  ASSERT_TRUE(createProject(folder.toStdString(), {}));
+  restartWith({}, folder);
+  EXPECT_EQ(shownName(), QStringLiteral("mugs"));
+  restartWith({});
+  EXPECT_EQ(shownName(), QStringLiteral("mugs"));
+  EXPECT_EQ(ProjectChoice::recent().value(0), folder);
+}
+
 TEST_F(ProjectChoiceTest, ScanIsSavedInTheProject) {
   const QString folder = folder_.filePath(QStringLiteral("mugs"));
   window_->createProjectFolder(folder);

@@ -26,10 +26,11 @@ class WindowTest : public CatalogueTest {
   /// A new window over the same catalogue, as after a restart of the program.
   void restart() { restartWith(file_); }
 
-  /// As restart(), with `catalogue` on the command line; empty: none.
-  void restartWith(const QString& catalogue) {
+  /// As restart(), with `catalogue` or `project` on the command line; empty: none.
+  void restartWith(const QString& catalogue, const QString& project = {}) {
     window_.reset();
     WindowOptions options;
+    options.project = project.toStdString();
     options.database = catalogue.toStdString();
     options.width = 1280;
     options.height = 800;
