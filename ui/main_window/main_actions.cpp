@@ -4,6 +4,7 @@
 #include <QActionGroup>
 #include <QUndoStack>
 
+#include "ui/common/plain_text.h"
 #include "ui/theme/icon.h"
 
 namespace scantrove {
@@ -52,6 +53,11 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
   redo = undo_stack.createRedoAction(this, tr("Redo"));
   redo->setIcon(icon(QStringLiteral("redo")));
+  // Steps have the names of objects, which need not be plain words.
+  connect(&undo_stack, &QUndoStack::undoTextChanged, undo,
+          [this] { undo->setToolTip(plainTip(undo->text())); });
+  connect(&undo_stack, &QUndoStack::redoTextChanged, redo,
+          [this] { redo->setToolTip(plainTip(redo->text())); });
   redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
   focus_objects = make("search", tr("Go to the object &list"), tr("Ctrl+L"),
                        tr("Move the keyboard focus to the object list"));

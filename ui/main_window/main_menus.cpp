@@ -8,6 +8,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "ui/common/plain_text.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/guide_opener.h"
@@ -225,7 +226,7 @@ void MainMenus::fillRecentMenu() {
   recent_->clear();
   for (const QString& source : recentSources()) {
     QAction* action = recent_->addAction(sourceTitle(source), this, [this, source] { window_.open(source); });
-    action->setToolTip(source);
+    action->setToolTip(plainTip(source));
   }
   recent_->setEnabled(!recent_->isEmpty());
   if (recent_->isEmpty()) return;
@@ -244,7 +245,7 @@ void MainMenus::fillRecentProjects() {
         recent_projects_->addAction(ProjectChoice::titleOf(place), this, [this, place, is_folder] {
           is_folder ? window_.openProjectFolder(place) : window_.openCatalogue(place);
         });
-    action->setToolTip(place);
+    action->setToolTip(plainTip(place));
   }
   recent_projects_->setEnabled(!recent_projects_->isEmpty() && parts_.actions->open_project->isEnabled());
 }

@@ -34,6 +34,7 @@ Presentation::Presentation(MainWindow& window)
   caption_->setObjectName(QStringLiteral("presentationCaption"));
   caption_->setAttribute(Qt::WA_TransparentForMouseEvents);
   caption_->setAlignment(Qt::AlignCenter);
+  caption_->setTextFormat(Qt::PlainText);
   caption_->setStyleSheet(
       QStringLiteral("background: rgba(12, 14, 18, 200); color: #ffffff; border-radius: 14px; padding: 14px "
                      "30px; font-size: 30pt;"));

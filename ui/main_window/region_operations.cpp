@@ -160,6 +160,7 @@ void RegionOperations::confirm(const QString& question, const QString& yes, std:
       new QMessageBox(QMessageBox::Question, tr("Background"), question, QMessageBox::Cancel, &window_);
   confirmation_->setObjectName(QStringLiteral("backgroundQuestion"));
   confirmation_->setAttribute(Qt::WA_DeleteOnClose);
+  confirmation_->setTextFormat(Qt::PlainText);
   const QPushButton* const button = confirmation_->addButton(yes, QMessageBox::AcceptRole);
   confirmation_->setDefaultButton(QMessageBox::Cancel);
   connect(button, &QPushButton::clicked, this, [action = std::move(action)] { action(); });

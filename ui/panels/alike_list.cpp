@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/common/plain_text.h"
 #include "ui/panels/elided_label.h"
 
 namespace scantrove {
@@ -55,8 +56,9 @@ QWidget* AlikeList::makeRow(const Entry& entry) {
   picture->setAutoRaise(true);
   picture->setIcon(QIcon(QPixmap::fromImage(entry.picture)));
   picture->setIconSize({kAlikePicture_px, kAlikePicture_px});
-  picture->setToolTip(tr("Show the page of “%1”").arg(entry.name));
-  picture->setAccessibleName(picture->toolTip());
+  const QString help = tr("Show the page of “%1”").arg(entry.name);
+  picture->setToolTip(plainTip(help));
+  picture->setAccessibleName(help);
   connect(picture, &QToolButton::clicked, this, [this, object = entry.object] { emit shown(object); });
   layout->addWidget(picture);
   auto* texts = new QVBoxLayout;

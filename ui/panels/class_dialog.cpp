@@ -40,6 +40,7 @@ ClassDialog::ClassDialog(CatalogueEditor& editor, QWidget* parent)
                       "broken: yes/no; remark"));
   table_->setAccessibleName(tr("Classes"));
   message_->setWordWrap(true);
+  message_->setTextFormat(Qt::PlainText);
   message_->setProperty("muted", true);
   auto* column = new QVBoxLayout(this);
   column->addWidget(table_, 1);

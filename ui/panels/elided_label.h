@@ -1,6 +1,8 @@
 #pragma once
 #include <QLabel>
 
+#include "ui/common/plain_text.h"
+
 namespace scantrove {
 
 /// One line of plain text that is elided if it does not fit, at the end or as setElideMode() says. The
@@ -46,7 +48,7 @@ class ElidedLabel : public QLabel {
   void elide() {
     const QString shown = fontMetrics().elidedText(full_text_, mode_, contentsRect().width());
     setText(shown);
-    setToolTip(help_.isEmpty() && shown != full_text_ ? full_text_.toHtmlEscaped() : help_);
+    setToolTip(help_.isEmpty() && shown != full_text_ ? plainTip(full_text_) : help_);
   }
 
   Qt::TextElideMode mode_ = Qt::ElideRight;

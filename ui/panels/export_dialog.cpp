@@ -118,6 +118,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   about_->setWordWrap(true);
   about_->setProperty("muted", true);
   message_->setWordWrap(true);
+  message_->setTextFormat(Qt::PlainText);
   message_->setObjectName(QStringLiteral("exportMessage"));
   count_->setToolTip(tr("Counts images, instances and pixels of each class, and writes nothing"));
   bar_->setVisible(false);

@@ -7,6 +7,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "ui/common/plain_text.h"
 #include "ui/models/object_list_model.h"
 #include "ui/panels/object_attributes.h"
 #include "ui/panels/object_head.h"
@@ -79,6 +80,7 @@ QWidget* ObjectPage::makePictures(QWidget* model_view) {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(model_view, 1);
   model_note_->setWordWrap(true);
+  model_note_->setTextFormat(Qt::PlainText);
   model_note_->setProperty("muted", true);
   column->addWidget(model_note_);
   open_->setAutoDefault(false);
@@ -137,7 +139,7 @@ void ObjectPage::setModelNote(bool has_model, const QString& note, const QString
   model_note_->setVisible(!note.isEmpty());
   folder_ = folder;
   open_->setVisible(!folder.isEmpty());
-  open_->setToolTip(folder.toHtmlEscaped());
+  open_->setToolTip(plainTip(folder));
 }
 
 QString ObjectPage::modelNote() const { return model_note_->text(); }

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "core/project/project.h"
+#include "ui/common/plain_text.h"
 #include "ui/models/object_filter.h"
 #include "ui/models/object_list_model.h"
 #include "ui/panels/elided_label.h"
@@ -176,7 +177,7 @@ void ObjectPanel::updateCatalogue() {
   const QString file = editor_.file();
   const std::string project = editor_.isOpen() ? projectOfCatalogue(file.toStdString()).name : std::string();
   catalogue_->setFullText(editor_.isOpen() ? QString::fromStdString(project) : tr("No catalogue"),
-                          editor_.isOpen() ? tr("Catalogue: %1").arg(file.toHtmlEscaped()) : QString());
+                          editor_.isOpen() ? plainTip(tr("Catalogue: %1").arg(file)) : QString());
 }
 
 void ObjectPanel::updateCounts() {

@@ -18,6 +18,7 @@ ProposalBar::ProposalBar(RegionProposals& proposals, QAction* accept, QAction* a
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 6, 8, 6);
   row->setSpacing(8);
+  text_->setTextFormat(Qt::PlainText);
   row->addWidget(text_, 1);
   for (QAction* action : {accept, accept_all, reject}) {
     auto* button = new QToolButton;

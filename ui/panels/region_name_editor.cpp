@@ -33,6 +33,7 @@ RegionNameEditor::RegionNameEditor(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 8);
   column->setSpacing(4);
+  about_->setTextFormat(Qt::PlainText);
   about_->setProperty("muted", true);
   column->addWidget(about_);
   field_->setObjectName(QStringLiteral("regionNameField"));
@@ -45,6 +46,7 @@ RegionNameEditor::RegionNameEditor(QWidget* parent)
   completer->setFilterMode(Qt::MatchContains);
   field_->setCompleter(completer);
   column->addWidget(field_);
+  class_->setTextFormat(Qt::PlainText);
   class_->setProperty("muted", true);
   column->addWidget(class_);
   column->addWidget(choice_);

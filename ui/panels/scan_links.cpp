@@ -4,6 +4,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/common/plain_text.h"
+
 namespace scantrove {
 
 ScanLinks::ScanLinks(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout), note_(new QLabel) {
@@ -33,8 +35,7 @@ void ScanLinks::setEntries(const std::vector<Entry>& entries) {
     link->setAutoDefault(false);
     link->setStyleSheet(QStringLiteral("text-align: left"));
     link->setEnabled(!entry.is_open);
-    link->setToolTip(entry.is_open ? tr("This scan is open")
-                                   : tr("Open %1").arg(entry.folder.toHtmlEscaped()));
+    link->setToolTip(entry.is_open ? tr("This scan is open") : plainTip(tr("Open %1").arg(entry.folder)));
     connect(link, &QPushButton::clicked, this, [this, folder = entry.folder] { emit requested(folder); });
     rows_->addWidget(link);
   }

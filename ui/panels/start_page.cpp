@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/common/plain_text.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/saved_scans_panel.h"
 #include "ui/theme/icon.h"
@@ -21,6 +22,7 @@ constexpr int kMaxRecent = 5;
 
 QLabel* mutedLabel(const QString& text) {
   auto* label = new QLabel(text);
+  label->setTextFormat(Qt::PlainText);
   label->setProperty("muted", true);
   label->setWordWrap(true);
   return label;
@@ -192,7 +194,7 @@ QWidget* StartPage::makeProjectRow() {
 
 void StartPage::setProject(const QString& name, const QString& folder) {
   project_->setFullText(tr("Project: %1").arg(name),
-                        tr("Catalogue and scans of this project: %1").arg(folder.toHtmlEscaped()));
+                        plainTip(tr("Catalogue and scans of this project: %1").arg(folder)));
 }
 
 void StartPage::setRecent(const QStringList& sources) {
@@ -208,7 +210,7 @@ void StartPage::setRecent(const QStringList& sources) {
     const QFileInfo file(source);
     button->setText(file.exists() ? QStringLiteral("  %1    %2").arg(sourceTitle(source), file.absolutePath())
                                   : QStringLiteral("  %1").arg(sourceTitle(source)));
-    button->setToolTip(source);
+    button->setToolTip(plainTip(source));
     button->setCursor(Qt::PointingHandCursor);
     connect(button, &QToolButton::clicked, this, [this, source] { emit sourceChosen(source); });
     recent_->addWidget(button);
