@@ -4,9 +4,12 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
+#include <iostream>
 
+#include "app/command.h"
 #include "core/base/text.h"
 #include "core/database/server_address.h"
+#include "core/project/project.h"
 
 namespace scantrove {
 namespace {
@@ -31,6 +34,19 @@ Result<std::unique_ptr<ObjectDatabase>> openExistingCatalogue(const std::string&
                 "A scan creates one: scantrove scan SOURCE --out DIR.");
   }
   return ObjectDatabase::open(database);
+}
+
+void addCatalogueOption(CLI::App& command, std::optional<std::string>& database) {
+  command.add_option("--database", database, "the catalogue; without it that of the default project")
+      ->type_name("DB");
+}
+
+Result<std::unique_ptr<ObjectDatabase>> openChosenCatalogue(const std::optional<std::string>& database) {
+  if (database) return openExistingCatalogue(*database);
+  const std::string own = defaultProject().catalogue.string();
+  auto opened = openExistingCatalogue(own);
+  if (opened) std::cerr << "scantrove: the catalogue is " << inLine(own) << ". --database chooses another.\n";
+  return opened;
 }
 
 Result<ObjectRecord> findObject(ObjectDatabase& database, const std::string& text) {

@@ -16,9 +16,9 @@ namespace scantrove {
 namespace {
 
 struct ObjectsCommand {
-  std::string database;
-  std::string object;  ///< an id or a name
-  std::string other;   ///< the second object, or the new name
+  std::optional<std::string> database;  ///< none: that of the default project
+  std::string object;                   ///< an id or a name
+  std::string other;                    ///< the second object, or the new name
   bool json = false;
   bool undo = false;
 };
@@ -162,12 +162,12 @@ using ObjectsAction = Result<void> (*)(ObjectDatabase&, const ObjectsCommand&);
 CLI::App* addAction(CLI::App& parent, const std::string& name, const std::string& help,
                     const std::shared_ptr<ObjectsCommand>& command, CommandJob& job, ObjectsAction action) {
   CLI::App* sub = parent.add_subcommand(name, help);
-  sub->add_option("--database", command->database, "the catalogue")->required()->type_name("DB");
+  addCatalogueOption(*sub, command->database);
   sub->add_flag("--json", command->json, "as JSON");
   sub->callback([command, &job, action] {
     job = [command, action]() -> Result<void> {
       const CoreApplication qt;
-      auto database = openExistingCatalogue(command->database);
+      auto database = openChosenCatalogue(command->database);
       if (!database) return fail(database.error());
       return action(**database, *command);
     };
@@ -205,11 +205,9 @@ void addObjectsCommand(CLI::App& app, CommandJob& job) {
       ->required();
   take_object(add("delete", "Delete an object from the catalogue", remove), "name or id");
   addCopyAction(*objects, job);
-  const auto addDatabase = [command](CLI::App& sub) {
-    sub.add_option("--database", command->database, "the catalogue")->required()->type_name("DB");
-  };
+  const auto addDatabase = [command](CLI::App& sub) { addCatalogueOption(sub, command->database); };
   addClassActions(*objects->add_subcommand("classes", "List and edit the classes of a catalogue"), job,
-                  {addDatabase, [command] { return openExistingCatalogue(command->database); }});
+                  {addDatabase, [command] { return openChosenCatalogue(command->database); }});
 }
 
 }  // namespace scantrove

@@ -41,6 +41,18 @@ TEST_F(ObjectsCommandTest, ListsNamesAndSizes) {
   EXPECT_THAT(text.out, testing::HasSubstr("cm"));
 }
 
+TEST_F(ObjectsCommandTest, TakesTheDefaultProject_WithoutADatabase) {
+  const std::filesystem::path data = copies_ / "data";
+  const ChildProcess::Environment home = {{"XDG_DATA_HOME", data.string()}};
+  expectJobFailure(scantrove({"objects", "list"}, home), {(data / "scantrove/catalogue.sqlite").string()});
+  std::filesystem::create_directories(data / "scantrove");
+  std::filesystem::copy_file(copy_, data / "scantrove/catalogue.sqlite");
+  const Finished listed = scantrove({"objects", "list"}, home);
+  EXPECT_EQ(listed.exit_code, 0);
+  EXPECT_THAT(listed.out, testing::HasSubstr(first_));
+  EXPECT_THAT(listed.err, testing::HasSubstr((data / "scantrove/catalogue.sqlite").string()));
+}
+
 TEST_F(ObjectsCommandTest, RenamesAndConfirmsByNameOrId) {
   const auto renamed = jsonOf(run({"rename", first_, "blue mug"}));
   EXPECT_EQ(renamed["name"], "blue mug");
