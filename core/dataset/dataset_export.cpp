@@ -54,7 +54,7 @@ Result<ExportSummary> exportInto(ExportScans scans, const ExportTask& task, cons
   SCANTROVE_TRY(joinsScans(task.options.format) ? task.write(job) : writeApart(job, task.write));
   if (job.scans().isProject() && hasImages(task.options.format) && job.summary().images == 0) {
     return fail("No key frame of the project " + job.scans().title() + " can be used: there are no images.",
-                job.summary().unfit > 0 ? "Export unfit frames, too: --include-unfit-frames." : "");
+                job.summary().unfit > 0 ? "Export unfit frames, too (--include-unfit-frames)." : "");
   }
   SCANTROVE_TRY(writeScanList(job));
   SCANTROVE_TRY(writeReadme(job));

@@ -53,13 +53,13 @@ void ExportJob::noteUnlabeled() {
   if (choices.unlabeled != UnlabeledObjects::warn || !hasImages(options_.format)) return;
   if (left_out > 0) {
     notes.push_back(std::to_string(left_out) +
-                    " objects have no label here, but images may show them. Label them, or export with "
-                    "--unlabeled ignore.");
+                    " objects have no label here, but images may show them. Label them, or mark "
+                    "them as regions to ignore (--unlabeled ignore).");
   }
   if (own_classes > 0) {
-    notes.push_back(
-        std::to_string(own_classes) +
-        " objects have no name; each is a class of its own. Name them, or export with --only named.");
+    notes.push_back(std::to_string(own_classes) +
+                    " objects have no name; each is a class of its own. Name them, or export named ones only "
+                    "(--only named).");
   }
 }
 

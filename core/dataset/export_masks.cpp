@@ -29,7 +29,7 @@ class MaskNumbering {
     constexpr std::uint32_t kMax = kIgnoredNumber - 1;
     if (regions.size() > kMax) {
       return fail(std::to_string(regions.size()) + " regions do not fit into masks of 16 bits.",
-                  "Export coco instead, or without --background.");
+                  "Export coco instead, or without background (--background).");
     }
     const bool has_ids =
         !scans.isProject() && (regions.empty() || regions.back().id <= kMax);  // sorted by id

@@ -227,15 +227,15 @@ Error nothingToExport(const std::string& scan, const ExportOptions& options) {
   }
   if (choices.labels == ExportedLabels::confirmed) {
     return {"Nothing in the scan " + scan + " is to be exported: no object of it is confirmed.",
-            "Confirm some first, or export those with a name: --only named."};
+            "Confirm some first, or export those with a name (--only named)."};
   }
   const bool needs_name =
       choices.labels == ExportedLabels::named || choices.unlabeled == UnlabeledObjects::ignore;
-  return {
-      needs_name
-          ? "Nothing in the scan " + scan + " is to be exported: no region of it has a name."
-          : "No region of the scan " + scan + " has a name or is an object: there is nothing to export.",
-      options.background ? "Give one a name first." : "Give one a name first, or export with --background."};
+  return {needs_name
+              ? "Nothing in the scan " + scan + " is to be exported: no region of it has a name."
+              : "No region of the scan " + scan + " has a name or is an object: there is nothing to export.",
+          options.background ? "Give one a name first."
+                             : "Give one a name first, or include background (--background)."};
 }
 
 void addToLegend(ExportJson& legend, const ExportJson& of_scan, const DatasetPart& part) {

@@ -167,7 +167,7 @@ Result<std::vector<KeyFrameInfo>> framesToExport(ExportJob& job, bool needs_colo
   if (const std::string missing = choice->missing(); !missing.empty()) {
     if (frames->empty() && !job.scans().isProject()) {
       return fail("No image of the scan " + job.scan().name() + " can be exported: " + missing,
-                  "Check key frames, or reopen them: 'scantrove session review --list' shows their states.");
+                  "Check key frames, or reopen them (scantrove session review --list).");
     }
     job.summary().notes.push_back(job.scans().isProject() ? job.scan().name() + ": " + missing : missing);
   }
@@ -228,7 +228,7 @@ Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabe
     return {};
   }
   std::string advice = needs_color ? "Without colour, export masks, ply or mesh." : "";
-  if (job.summary().unfit > 0) advice = "Export unfit frames, too: --include-unfit-frames.";
+  if (job.summary().unfit > 0) advice = "Export unfit frames, too (--include-unfit-frames).";
   return fail("No key frame of the scan " + scan.name() + " can be used. " + job.summary().skipped.front(),
               std::move(advice));
 }

@@ -45,9 +45,10 @@ Result<std::vector<KeyFrameInfo>> textureFrames(ExportJob& job) {
   if (!frames) return fail(frames.error());
   if (!frames->empty() && frames->size() < kNoView) return frames;
   if (!frames->empty())
-    return fail("Textures can be made of 65534 frames at most.", "Leave out --all-frames.");
+    return fail("Textures can be made of 65534 frames at most.",
+                "Export key frames only (without --all-frames).");
   return fail("The scan " + job.scan().name() + " has no colour image that textures could be made of.",
-              job.summary().unfit > 0 ? "Use unfit frames, too: --include-unfit-frames."
+              job.summary().unfit > 0 ? "Use unfit frames, too (--include-unfit-frames)."
                                       : "Export it without textures.");
 }
 

@@ -19,6 +19,7 @@
 #include <initializer_list>
 
 #include "core/base/overloaded.h"
+#include "ui/common/shown_message.h"
 #include "ui/panels/export_choices_panel.h"
 #include "ui/panels/export_folder_field.h"
 #include "ui/panels/export_sample_view.h"
@@ -87,7 +88,8 @@ QString notesOf(const ExportSummary& summary) {
                              static_cast<int>(summary.skipped.size()))
                 .arg(QString::fromStdString(summary.skipped.front()));
   }
-  for (const std::string& note : summary.notes) text += QLatin1Char('\n') + QString::fromStdString(note);
+  for (const std::string& note : summary.notes)
+    text += QLatin1Char('\n') + shownMessage(QString::fromStdString(note));
   return text;
 }
 
@@ -303,7 +305,7 @@ void ExportDialog::showDone(const ExportSummary& summary) {
 
 void ExportDialog::showFailure(const Error& error) {
   setWork(Work::none);
-  message_->setText(QString::fromStdString(error.message()));
+  message_->setText(shownMessage(QString::fromStdString(error.message())));
 }
 
 void ExportDialog::setWork(Work work) {

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <utility>
 
+#include "ui/common/shown_message.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
@@ -66,7 +67,8 @@ void MessageBar::show(Kind kind, const QString& text, const QString& button_text
   act_ = std::move(act);
 }
 
-bool MessageBar::showText(Kind kind, const QString& text) {
+bool MessageBar::showText(Kind kind, const QString& message) {
+  const QString text = shownMessage(message);
   if (isVisibleTo(parentWidget()) && kind_ == Kind::error && kind != Kind::error) return false;
   repeats_ = isVisibleTo(parentWidget()) && text == text_ ? repeats_ + 1 : 1;
   kind_ = kind;

@@ -27,7 +27,7 @@ class MessageBar : public QFrame {
  private:
   void paintKind();
   /// Whether the message is shown: an error stays in place of anything less.
-  bool showText(Kind kind, const QString& text);
+  bool showText(Kind kind, const QString& message);
 
   Kind kind_ = Kind::info;
   QString text_;
