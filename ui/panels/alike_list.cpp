@@ -56,9 +56,9 @@ QWidget* AlikeList::makeRow(const Entry& entry) {
   picture->setAutoRaise(true);
   picture->setIcon(QIcon(QPixmap::fromImage(entry.picture)));
   picture->setIconSize({kAlikePicture_px, kAlikePicture_px});
-  const QString help = tr("Show the page of “%1”").arg(entry.name);
-  picture->setToolTip(plainTip(help));
-  picture->setAccessibleName(help);
+  const QString page = tr("Show the page of “%1”").arg(entry.name);
+  picture->setToolTip(plainTip(page));
+  picture->setAccessibleName(page);
   connect(picture, &QToolButton::clicked, this, [this, object = entry.object] { emit shown(object); });
   layout->addWidget(picture);
   auto* texts = new QVBoxLayout;

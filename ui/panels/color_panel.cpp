@@ -118,12 +118,21 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   font.setPointSizeF(font.pointSizeF() * (rect.width() > 300 ? 0.92 : 0.78));
   font.setBold(true);
   painter.setFont(font);
-  std::vector<const SeenObject*> named;
+  std::vector<const SeenObject*> boxed, named;
   std::vector<QString> names;
   std::vector<LabelRequest> requests;
   for (const SeenObject& object : objects_) {
     const QString name = nameOf(object);
     if (!object.object || name.isEmpty()) continue;  // a candidate, or a deleted object
+    boxed.push_back(&object);
+    // Each region of an object has a box; the largest one has the label.
+    const auto earlier = std::ranges::find(named, object.object, &SeenObject::object);
+    if (earlier != named.end()) {
+      if (object.box.area() <= (*earlier)->box.area()) continue;
+      requests[static_cast<std::size_t>(earlier - named.begin())].box = objectRect(object);
+      *earlier = &object;
+      continue;
+    }
     named.push_back(&object);
     names.push_back(QFontMetricsF(font).elidedText(name, Qt::ElideRight, rect.width() / 2));
     requests.push_back({objectRect(object), chipSize(painter, names.back())});
@@ -139,12 +148,13 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
     if (!object.object) paintCandidate(painter, objectRect(object));
   }
   // In reverse order, so that selected boxes are on top.
-  for (auto object = named.rbegin(); object != named.rend(); ++object)
+  for (auto object = boxed.rbegin(); object != boxed.rend(); ++object)
     paintBox(painter, objectRect(**object), isSelected(**object));
   // The bottom line is reserved for the title.
   const std::vector<QRectF> places =
       placeLabels(requests, rect.adjusted(0, 0, 0, -chipSize(painter, title()).height() - 8));
   for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].isNull()) continue;
     if (i >= named.size()) {
       paintChip(painter, places[i].topLeft(), names[i], kFound);
       continue;

@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace scantrove {
 namespace {
 
 constexpr double kLabelGap = 2;
+// A label that is further from its box, in heights of a label, seems to belong to another.
+constexpr double kFarthest = 3;
 
-double overlapArea(const QRectF& label, const std::vector<QRectF>& others) {
-  double area = 0;
-  for (const QRectF& other : others) {
-    const QRectF common = label.intersected(other.adjusted(-kLabelGap, -kLabelGap, kLabelGap, kLabelGap));
-    area += common.width() * common.height();
-  }
-  return area;
+bool isFree(const QRectF& label, const std::vector<QRectF>& others) {
+  const QRectF with_gap = label.adjusted(-kLabelGap, -kLabelGap, kLabelGap, kLabelGap);
+  return std::ranges::none_of(others, [&](const QRectF& other) { return with_gap.intersects(other); });
 }
 
 QRectF movedInto(const QRectF& bounds, QRectF label) {
@@ -48,6 +45,7 @@ std::vector<QRectF> placesFor(const LabelRequest& request, const QRectF& bounds)
   // Positions further away, nearest first.
   const auto beside = static_cast<std::ptrdiff_t>(places.size());
   for (double y = bounds.top(); y + height <= bounds.bottom(); y += height + kLabelGap) {
+    if (std::abs(y - box.center().y()) > box.height() / 2 + kFarthest * height) continue;
     places.push_back(movedInto(bounds, {QPointF(box.left(), y), request.size}));
   }
   std::stable_sort(places.begin() + beside, places.end(), [&box](const QRectF& a, const QRectF& b) {
@@ -61,17 +59,10 @@ std::vector<QRectF> placesFor(const LabelRequest& request, const QRectF& bounds)
 std::vector<QRectF> placeLabels(const std::vector<LabelRequest>& requests, const QRectF& bounds) {
   std::vector<QRectF> placed;
   for (const LabelRequest& request : requests) {
-    QRectF best;
-    double least = std::numeric_limits<double>::max();
-    for (const QRectF& place : placesFor(request, bounds)) {
-      const double area = overlapArea(place, placed);
-      if (area < least) {
-        least = area;
-        best = place;
-      }
-      if (area == 0) break;
-    }
-    placed.push_back(best);
+    const std::vector<QRectF> places = placesFor(request, bounds);
+    const auto free =
+        std::ranges::find_if(places, [&](const QRectF& place) { return isFree(place, placed); });
+    placed.push_back(free == places.end() ? QRectF() : *free);
   }
   return placed;
 }

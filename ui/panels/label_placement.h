@@ -11,8 +11,8 @@ struct LabelRequest {
 };
 
 /// Places labels inside `bounds` so that they do not overlap: above the box at the left if free, else at
-/// another side of the box, else further away. Earlier requests have priority; equal requests give equal
-/// results. Without free room, overlap is minimised.
+/// another side of the box, else a little further away. Earlier requests have priority; equal requests give
+/// equal results. Without free room near its box a label has no place: a null rectangle.
 [[nodiscard]] std::vector<QRectF> placeLabels(const std::vector<LabelRequest>& requests,
                                               const QRectF& bounds);
 

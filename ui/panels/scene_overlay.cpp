@@ -85,9 +85,11 @@ void SceneOverlay::paintNames(QPainter& painter) const {
         {{name.at.x() - size.width() / 2, name.at.y() + size.height() / 2, size.width(), 1}, size});
   }
   const std::vector<QRectF> places = placeLabels(requests, rect());
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].isNull()) continue;
     paintChip(painter, places[i].topLeft(), texts[i],
               names_[i].is_selected ? QColor(0xff, 0xd0, 0x00) : QColor(Qt::white));
+  }
 }
 
 void SceneOverlay::paintSeenSides(QPainter& painter) const {

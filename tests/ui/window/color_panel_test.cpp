@@ -61,6 +61,17 @@ TEST_F(ColorPanelTest, DrawsNamesOfRecognizedObjectsInCyan) {
   EXPECT_GT(countPixels(paint(object), label, cyan), 10);
 }
 
+TEST_F(ColorPanelTest, LabelsAnObjectOnce_AtItsLargestRegion) {
+  SeenObject small = seenAt(0.05F, 0.2F, 0.1F, 0.1F), large = seenAt(0.25F, 0.5F, 0.25F, 0.25F);
+  small.recognized = large.recognized = true;
+  paint(small);
+  panel_.setFrame(colorPicture(cv::Mat(480, 640, CV_8UC3, cv::Scalar(60, 60, 60))), {small, large});
+  const QImage image = panel_.grab().toImage();
+  const QColor cyan(0, 255, 255);
+  EXPECT_EQ(countPixels(image, QRect(20, 38, 90, 21), cyan), 0);
+  EXPECT_GT(countPixels(image, QRect(100, 128, 90, 21), cyan), 10);
+}
+
 TEST_F(ColorPanelTest, KeepsTheNameInsideThePicture_AtTheTopEdge) {
   SeenObject object = seenAt(0.3F, 0, 0.2F, 0.2F);
   object.recognized = true;
