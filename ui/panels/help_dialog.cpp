@@ -13,6 +13,7 @@ namespace scantrove {
 namespace {
 
 constexpr double kMaxOfScreen = 0.9;  ///< share of the screen's height
+constexpr int kNarrowest_px = 720;    ///< so that the dialog fits on half a screen of 1600 pixels
 
 }  // namespace
 
@@ -116,14 +117,14 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   auto* scroll = new QScrollArea;  // for low screens
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(keys_and_meanings);
   layout->addWidget(scroll);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   layout->addWidget(buttons);
   const int bar = scroll->verticalScrollBar()->sizeHint().width();
-  scroll->setMinimumWidth(keys_and_meanings->sizeHint().width() + bar);
+  // On a narrow screen it scrolls sideways, too.
+  scroll->setMinimumWidth(std::min(keys_and_meanings->sizeHint().width() + bar, kNarrowest_px));
   const QSize others = sizeHint() - scroll->sizeHint();
   const int most = static_cast<int>(kMaxOfScreen * screen()->availableSize().height());
   resize(sizeHint().width(), std::min(keys_and_meanings->sizeHint().height() + others.height() + 2, most));
