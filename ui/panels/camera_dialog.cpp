@@ -44,11 +44,17 @@ CameraDialog::CameraDialog(Lister lister, QWidget* parent)
   open_ = buttons->addButton(tr("&Start scan"), QDialogButtonBox::AcceptRole);
   open_->setProperty("primary", true);
   open_->setDefault(true);
+  open_->setObjectName(QStringLiteral("startCamera"));
   QPushButton* again = buttons->addButton(tr("&Refresh"), QDialogButtonBox::ActionRole);
   connect(again, &QPushButton::clicked, this, &CameraDialog::refresh);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(list_, &QListWidget::itemActivated, this, &QDialog::accept);
+  connect(list_, &QListWidget::itemSelectionChanged, this,
+          [this] { open_->setEnabled(!source().isEmpty()); });
+  connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+    item->setSelected(true);  // with the keyboard it may be the current one only
+    accept();
+  });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 16, 16, 14);
   layout->setSpacing(10);
@@ -60,8 +66,8 @@ CameraDialog::CameraDialog(Lister lister, QWidget* parent)
 }
 
 QString CameraDialog::source() const {
-  const QListWidgetItem* item = list_->currentItem();
-  return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
+  const QList<QListWidgetItem*> chosen = list_->selectedItems();
+  return chosen.isEmpty() ? QString() : chosen.front()->data(Qt::UserRole).toString();
 }
 
 std::optional<ObjectChoice> CameraDialog::object() const {
@@ -93,7 +99,9 @@ void CameraDialog::refresh() {
     advice_->setText(tr("Depth cameras on this computer:"));
   }
   add(tr("Virtual test camera with a test pattern"), QStringLiteral("Dummy"));
-  list_->setCurrentRow(0);
+  // A scan of the test pattern helps nobody who did not ask for it.
+  if (list_->count() > 1) list_->setCurrentRow(0);
+  open_->setEnabled(!source().isEmpty());
 }
 
 }  // namespace scantrove

@@ -23,7 +23,7 @@ class CameraDialog : public QDialog {
   using Lister = std::function<Result<std::vector<CameraInfo>>()>;
 
   explicit CameraDialog(Lister lister, QWidget* parent = nullptr);
-  /// "camera:URI" of the chosen camera.
+  /// "camera:URI" of the chosen camera; empty: none is chosen yet.
   [[nodiscard]] QString source() const;
   /// None: everything is scanned.
   [[nodiscard]] std::optional<ObjectChoice> object() const;

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QPushButton>
 
 #include "ui/panels/camera_dialog.h"
 
@@ -14,7 +15,12 @@ TEST(CameraDialog, ShowsAdvice_WithoutACamera) {
   const QString text = dialog.findChild<QLabel*>(QStringLiteral("cameraAdvice"))->text();
   EXPECT_TRUE(text.contains(QStringLiteral("No depth camera")));
   EXPECT_GT(text.size(), 60);
+  auto* start = dialog.findChild<QPushButton*>(QStringLiteral("startCamera"));
+  EXPECT_EQ(dialog.source(), QString()) << "the test camera is not chosen for anybody";
+  EXPECT_FALSE(start->isEnabled());
+  dialog.findChild<QListWidget*>()->setCurrentRow(0);
   EXPECT_EQ(dialog.source(), QStringLiteral("camera:Dummy"));
+  EXPECT_TRUE(start->isEnabled());
 }
 
 TEST(CameraDialog, ListsCamerasBeforeTheDummy) {
