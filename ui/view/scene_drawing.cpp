@@ -16,6 +16,7 @@ constexpr double kTimeShareWhileArriving = 0.4;
 constexpr int kShortestInterval_ms = 150;  ///< while data arrives
 constexpr int kLongestInterval_ms = 2000;
 constexpr int kPointing_ms = 150;
+constexpr int kSimilarSize = 5;  ///< sizes that differ by less than a fifth: a picture may be stretched
 constexpr std::size_t kRebuildAtATimePoints = 150'000;
 constexpr std::size_t kRebuildInAStepPoints = 50'000;  ///< if further steps can follow at once
 constexpr int kMaxSteps = 3;                           ///< before a picture of arriving data
@@ -58,7 +59,19 @@ void SceneDrawing::drawUserEdit() {
   draw_timer_.start(0);
 }
 
+bool SceneDrawing::isStretched() const {
+  const QSize now = pixels(), was = picture_.size();
+  const auto isSimilar = [](int a, int b) { return std::abs(a - b) * kSimilarSize <= std::max(a, b); };
+  return is_detailed_ && !is_outdated_ && isSimilar(now.width(), was.width()) &&
+         isSimilar(now.height(), was.height());
+}
+
 void SceneDrawing::redrawResized() {
+  // A bar beside the view comes or goes: the detailed picture is stretched until its successor is there.
+  if (!moving_ && isStretched()) {
+    settle_timer_.start();
+    return view_.update();
+  }
   // Draws quickly until the size is final.
   resizing_ = true;
   redraw(true);
@@ -152,6 +165,7 @@ void SceneDrawing::drawStill() {
   }
   if (drawPart(pixels)) return;
   budgets_.still.update(scene_.cloud().drawnPointCount(), parts_ms_);
+  is_detailed_ = true;
   view_.update();
 }
 
@@ -183,6 +197,7 @@ bool SceneDrawing::drawPart(const QSize& pixels) {
 void SceneDrawing::takePicture(const QSize& pixels, double took_ms) {
   QElapsedTimer timer;
   timer.start();
+  is_detailed_ = false;
   picture_ = window_->picture(pixels);
   picture_.setDevicePixelRatio(view_.devicePixelRatioF());
   is_outdated_ = false;
@@ -201,8 +216,9 @@ void SceneDrawing::paint(QPainter& painter) {
   }
   const QSize pixels = this->pixels();
   // If only an overlay changed, the stored picture is still valid.
-  if (is_outdated_ || pixels != picture_.size()) drawNow(pixels);
-  painter.drawImage(0, 0, picture_);
+  if (is_outdated_ || (pixels != picture_.size() && !isStretched())) drawNow(pixels);
+  if (pixels == picture_.size()) return painter.drawImage(0, 0, picture_);
+  painter.drawImage(view_.rect(), picture_);  // stretched until it is drawn anew
 }
 
 void SceneDrawing::drawNow(const QSize& pixels) {

@@ -43,6 +43,8 @@ class SceneDrawing : public QObject {
   /// While true, drawing takes at most about a sixth of the time.
   void setScanning(bool scanning);
   [[nodiscard]] bool isScanning() const { return scanning_; }
+  /// Whether the last complete picture has the detail of a view at rest.
+  [[nodiscard]] bool isDetailed() const { return is_detailed_; }
   /// Draws everything at full detail regardless of time (for a picture of the window).
   void setFullDetail(bool full) {
     full_detail_ = full;
@@ -78,6 +80,8 @@ class SceneDrawing : public QObject {
   /// Prepares the scene for a quick drawing. Rebuilds chunks with about `rebuild_points` points.
   void prepareQuickly(const QSize& pixels, std::size_t rebuild_points);
   [[nodiscard]] QSize pixels() const;
+  /// Whether the picture has all details and nearly the view's size.
+  [[nodiscard]] bool isStretched() const;
 
   struct Budgets {
     PointBudget part{25, 1e4, 1e4, 1e5};
@@ -97,6 +101,7 @@ class SceneDrawing : public QObject {
   QTimer settle_timer_;  ///< draws in full detail after the last movement
   QElapsedTimer since_draw_, since_pointed_;
   bool is_outdated_ = true;     ///< the picture
+  bool is_detailed_ = false;    ///< the picture
   bool is_prepared_ = false;    ///< for the next picture
   int preparing_steps_ = 0;     ///< preparation steps done for it
   bool is_complete_ = false;    ///< all chunks in view are up to date
