@@ -185,6 +185,16 @@ void RegionOperations::perform(Operation operation) {
 void RegionOperations::updateHistory(const std::vector<DoneOperation>& operations) {
   std::vector<UndoHistory::Step> steps;
   std::size_t done = 0;
+  const auto names = [](const DoneOperation& operation) {
+    return operation.kind == OperationKind::name || operation.kind == OperationKind::accept;
+  };
+  // Steps say what a region was called then. Without a name so far it gets none that it got later.
+  std::map<RegionId, QString> titles;
+  for (const DoneOperation& operation : operations) {
+    if (!names(operation)) continue;
+    for (const RegionId region : operation.regions)
+      titles[region] = RegionSelection::titleWithoutName(region);
+  }
   for (const DoneOperation& operation : operations) {
     if (operation.state == OperationLog::State::superseded) continue;
     Operation described;
@@ -193,7 +203,18 @@ void RegionOperations::updateHistory(const std::vector<DoneOperation>& operation
     described.name = operation.name;
     described.on = operation.on;
     described.review = operation.review;
-    const QString text = descriptionOf(described);
+    QString title;
+    if (operation.regions.size() == 1) {
+      const auto then = titles.find(operation.regions.front());
+      if (then != titles.end()) title = then->second;
+    }
+    const QString text = descriptionOf(described, title);
+    if (names(operation)) {
+      for (const RegionId region : operation.regions) {
+        titles[region] = operation.name.empty() ? RegionSelection::titleWithoutName(region)
+                                                : QString::fromStdString(operation.name);
+      }
+    }
     steps.push_back(std::make_shared<Command>(*this, text, std::move(described), true));
     if (operation.state == OperationLog::State::done) ++done;
   }
@@ -250,11 +271,14 @@ void RegionOperations::editFailed(const EditFailed& event) {
   performed_.erase(std::next(failed).base());
 }
 
-QString RegionOperations::descriptionOf(const Operation& operation) const {
+QString RegionOperations::descriptionOf(const Operation& operation, const QString& title) const {
   if (operation.review) return descriptionOf(*operation.review);
-  QString what = operation.regions.size() == 1
-                     ? selection_.title(operation.regions.front())
-                     : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
+  QString what = title;
+  if (what.isEmpty()) {
+    what = operation.regions.size() == 1
+               ? selection_.title(operation.regions.front())
+               : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
+  }
   switch (operation.kind) {
     case OperationKind::name:
     case OperationKind::accept:

@@ -76,7 +76,8 @@ class RegionOperations : public QObject {
   /// Adds an operation that the scan did by itself as an undo step.
   void addStep(const Operation& operation);
   void editFailed(const EditFailed& event);
-  [[nodiscard]] QString descriptionOf(const Operation& operation) const;
+  /// `title`: of its only region; empty: what the region is called now.
+  [[nodiscard]] QString descriptionOf(const Operation& operation, const QString& title = {}) const;
   [[nodiscard]] static QString descriptionOf(const FrameReview& review);
   /// Suggests regions similar to the named one.
   void proposeSimilar(const Operation& naming);

@@ -122,7 +122,7 @@ std::vector<RegionId> RegionSelection::proposedBackground() const {
 QString RegionSelection::title(RegionId region) const {
   const RegionInfo* const known = info(region);
   if (known != nullptr && !known->name().empty()) return QString::fromStdString(known->name());
-  return tr("Region %1").arg(region.value);
+  return titleWithoutName(region);
 }
 
 RegionId RegionSelection::currentRegionOf(const std::vector<FragmentId>& fragments) const {

@@ -44,6 +44,7 @@ class RegionSelection : public QObject {
   [[nodiscard]] std::vector<RegionId> proposedBackground() const;
   /// Its name, or "Region 12".
   [[nodiscard]] QString title(RegionId region) const;
+  [[nodiscard]] static QString titleWithoutName(RegionId region) { return tr("Region %1").arg(region.value); }
 
  signals:
   void hoverChanged();

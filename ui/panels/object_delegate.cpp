@@ -12,6 +12,7 @@
 namespace scantrove {
 namespace {
 
+constexpr int kTagFill = 24;  ///< of 255: a tag keeps 4.5 : 1 between text and fill
 constexpr int kRowHeight = 70;
 constexpr int kMinWidth = 120;
 constexpr int kPicture = 54;
@@ -52,7 +53,7 @@ void paintTag(QPainter* painter, const QPoint& top_left, const QFont& font, cons
   const QFontMetrics metrics(font);
   const QRect chip(top_left, QSize(metrics.horizontalAdvance(text) + 12, metrics.height() + 2));
   QColor fill = color;
-  fill.setAlpha(38);
+  fill.setAlpha(kTagFill);
   painter->setPen(Qt::NoPen);
   painter->setBrush(fill);
   painter->drawRoundedRect(chip, chip.height() / 2.0, chip.height() / 2.0);

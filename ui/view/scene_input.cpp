@@ -116,7 +116,7 @@ void SceneInput::move(const QMouseEvent& event) {
 void SceneInput::setDrawsStrokes(bool draws) {
   draws_strokes_ = draws;
   if (stroke_.isEmpty() || draws) return;
-  stroke_.clear();
+  endStroke();
   is_cancelled_ = true;
   emit view_.strokeChanged();
 }
@@ -125,9 +125,15 @@ void SceneInput::beginStroke(const QMouseEvent& event) {
   const bool draws =
       draws_strokes_ && event.buttons() == Qt::LeftButton && !event.modifiers().testFlag(Qt::ControlModifier);
   if (!draws || !view_.at(*press_).region) return;
+  follows_again_ = view_.scene().following();
   view_.setFollowing(false);  // otherwise the scene moves under the pointer
   stroke_.begin(*press_);
   emit view_.strokeAt(view_.at(*press_));
+}
+
+void SceneInput::endStroke() {
+  stroke_.clear();
+  if (std::exchange(follows_again_, false)) view_.setFollowing(true);
 }
 
 void SceneInput::drawStroke(const QPointF& to) {
@@ -144,7 +150,7 @@ void SceneInput::release(const QMouseEvent& event) {
   const bool was_pressed = std::exchange(press_, std::nullopt).has_value();
   if (!stroke_.isEmpty()) {
     drawStroke(event.position());
-    stroke_.clear();
+    endStroke();
     emit view_.strokeChanged();
     emit view_.strokeEnded(event.modifiers());
   } else if (std::exchange(band_to_, std::nullopt)) {

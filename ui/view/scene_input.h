@@ -42,6 +42,8 @@ class SceneInput : public QObject {
   /// False if the key has no function here.
   bool pressKey(const QKeyEvent& event);
   void beginStroke(const QMouseEvent& event);
+  /// Clears it; the view follows the camera again if it did before.
+  void endStroke();
   void drawStroke(const QPointF& to);
   /// Handles a change of the viewpoint by the user.
   void interacted();
@@ -53,6 +55,7 @@ class SceneInput : public QObject {
   bool is_cancelled_ = false;               ///< the stroke was cancelled; the rest of the drag does nothing
   bool draws_strokes_ = false;
   StrokePath stroke_;
+  bool follows_again_ = false;  // the view followed the camera before the stroke
 };
 
 }  // namespace scantrove

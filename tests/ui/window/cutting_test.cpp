@@ -135,6 +135,18 @@ TEST_F(CuttingTest, StrokesInTheSceneCutTheSurface) {
     EXPECT_NEAR(point.z(), 256.5F * 3 / 512, 0.01F) << "on the surface";
 }
 
+TEST_F(CuttingTest, ViewFollowsTheCameraAgain_AfterAStroke) {
+  showAllOfScene();
+  const QPoint middle = pixelInScene(RegionId{5});
+  view()->setFollowing(true);
+  view()->setFocus();
+  QTest::keyClick(view(), Qt::Key_C);
+  draw(view(), middle, middle + QPoint(8, 8), {}, false);
+  EXPECT_FALSE(view()->scene().following()) << "the scene rests below the pointer";
+  QTest::mouseRelease(view(), Qt::LeftButton, {}, middle + QPoint(8, 8));
+  EXPECT_TRUE(view()->scene().following());
+}
+
 TEST_F(CuttingTest, DragOutsideTheSceneTurnsTheView) {
   showAllOfScene();
   view()->setFocus();
