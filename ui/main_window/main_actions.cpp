@@ -4,7 +4,7 @@
 #include <QActionGroup>
 #include <QUndoStack>
 
-#include "ui/common/plain_text.h"
+#include "ui/models/plain_text.h"
 #include "ui/theme/icon.h"
 
 namespace scantrove {

@@ -8,7 +8,6 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "ui/common/plain_text.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/guide_opener.h"
@@ -27,6 +26,7 @@
 #include "ui/main_window/scene_pane.h"
 #include "ui/main_window/view_actions.h"
 #include "ui/main_window/window_dialogs.h"
+#include "ui/models/plain_text.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/object_filter_bar.h"

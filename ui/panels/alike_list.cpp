@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/common/plain_text.h"
+#include "ui/models/plain_text.h"
 #include "ui/panels/elided_label.h"
 
 namespace scantrove {

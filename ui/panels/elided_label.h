@@ -1,7 +1,7 @@
 #pragma once
 #include <QLabel>
 
-#include "ui/common/plain_text.h"
+#include "ui/models/plain_text.h"
 
 namespace scantrove {
 

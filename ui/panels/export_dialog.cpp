@@ -19,7 +19,7 @@
 #include <initializer_list>
 
 #include "core/base/overloaded.h"
-#include "ui/common/shown_message.h"
+#include "ui/models/shown_message.h"
 #include "ui/panels/export_choices_panel.h"
 #include "ui/panels/export_folder_field.h"
 #include "ui/panels/export_sample_view.h"

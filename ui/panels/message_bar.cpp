@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <utility>
 
-#include "ui/common/shown_message.h"
+#include "ui/models/shown_message.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 

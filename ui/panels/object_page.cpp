@@ -7,8 +7,8 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "ui/common/plain_text.h"
 #include "ui/models/object_list_model.h"
+#include "ui/models/plain_text.h"
 #include "ui/panels/object_attributes.h"
 #include "ui/panels/object_head.h"
 

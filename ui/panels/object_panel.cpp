@@ -12,9 +12,9 @@
 #include <algorithm>
 
 #include "core/project/project.h"
-#include "ui/common/plain_text.h"
 #include "ui/models/object_filter.h"
 #include "ui/models/object_list_model.h"
+#include "ui/models/plain_text.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/empty_note.h"
 #include "ui/panels/object_filter_bar.h"

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/common/plain_text.h"
+#include "ui/models/plain_text.h"
 
 namespace scantrove {
 

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/common/plain_text.h"
+#include "ui/models/plain_text.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/saved_scans_panel.h"
 #include "ui/theme/icon.h"

@@ -1,5 +1,5 @@
 // Names that look like HTML are shown as they were typed.
-#include "ui/common/plain_text.h"
+#include "ui/models/plain_text.h"
 
 #include <gtest/gtest.h>
 

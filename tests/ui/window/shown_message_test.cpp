@@ -1,4 +1,4 @@
-#include "ui/common/shown_message.h"
+#include "ui/models/shown_message.h"
 
 #include <gtest/gtest.h>
 
