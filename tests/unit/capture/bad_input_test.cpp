@@ -341,7 +341,8 @@ TEST(OniFile, IsRefused_WhenNamesOrLengthsWouldCrashOpenNi) {
     return oniBytes("xnMapOutputMode", test::raw(width) + test::raw(height) + test::raw(std::uint32_t{30}));
   };
   EXPECT_EQ(error(ofSize(640, 480)), "");
-  EXPECT_THAT(error(ofSize(30000, 30000)), HasSubstr("damaged at byte")) << "OpenNI2 would allocate gigabytes";
+  EXPECT_THAT(error(ofSize(30000, 30000)), HasSubstr("damaged at byte"))
+      << "OpenNI2 would allocate gigabytes";
   const std::size_t name = sound.find("Mirror");
   for (const std::size_t length_at : {name - 4, name + 7}) {
     std::string changed = sound;
