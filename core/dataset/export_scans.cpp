@@ -1,5 +1,7 @@
 #include "core/dataset/export_scans.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -113,8 +115,9 @@ Result<void> ExportScans::takeClasses(const std::string& scan, const std::vector
   for (const auto& [id, name] : visibleNames(classes)) {
     const auto found = known.find(id);
     if (found == known.end() || found->second == name) continue;
-    return fail("The scan " + scan + " has another list of classes than the scans before it: class " +
-                    std::to_string(id) + " is \"" + name + "\", not \"" + found->second + "\".",
+    return fail(fmt::format("The scan {} has another list of classes than the scans before it: class {} is "
+                            "\"{}\", not \"{}\".",
+                            scan, id, name, found->second),
                 "Scans of one data set need one catalogue. Export this scan apart.");
   }
   if (classes_.size() < classes.size()) classes_ = classes;

@@ -138,8 +138,9 @@ void PaintController::finish() {
   if (!target && (erases || !is_new_region_))
     return emit failed(
         tr("There is no region under the first pixel. Select a region, or tick “New region”."));
-  if (tool_kind_ == PaintTool::magic_edge) return snap(painted, target);
-  paint(painted, erases ? PaintMode::erase : PaintMode::add, target);
+  const bool makes_region = is_new_region_ && !erases;
+  if (tool_kind_ == PaintTool::magic_edge) return snap(painted, target, makes_region);
+  paint(painted, erases ? PaintMode::erase : PaintMode::add, target, makes_region);
 }
 
 void PaintController::fill(const cv::Point2f& at) {
@@ -150,14 +151,13 @@ void PaintController::fill(const cv::Point2f& at) {
   cv::Mat filled = before.clone();
   if (!target || fillHole(filled, pixel).empty())
     return emit failed(tr("The region has no hole there. Click into a hole that it encloses."));
-  const bool makes_region = std::exchange(is_new_region_, false);  // a hole is filled with what encloses it
-  paint(filled & (before == 0), PaintMode::add, target);
-  is_new_region_ = makes_region;
+  paint(filled & (before == 0), PaintMode::add, target, false);  // a hole is filled with what encloses it
 }
 
-void PaintController::snap(const cv::Mat& rough, RegionId target) {
+void PaintController::snap(const cv::Mat& rough, RegionId target, bool makes_region) {
   if (labels_.color.size() != rough.size())
     return emit failed(tr("The magic edge needs a colour image. Use the polygon here."));
+  if (makes_region) emit newRegionPainted();  // at once: the next stroke may come before the edge is found
   const int reach_px = cvRound(std::clamp(radius_px_, kLeastReach_px, kMostReach_px));
   const auto promise = std::make_shared<QPromise<cv::Mat>>();
   promise->start();
@@ -169,12 +169,11 @@ void PaintController::snap(const cv::Mat& rough, RegionId target) {
     promise->finish();
   });
   // The user may draw on meanwhile, and change what strokes do.
-  promise->future().then(this, [this, number = image_number_, target, is_new = is_new_region_,
+  promise->future().then(this, [this, number = image_number_, target, makes_region,
                                 only = this_image_only_](const cv::Mat& mask) {
     if (number != image_number_) return;
-    const QScopedValueRollback new_region(is_new_region_, is_new);
     const QScopedValueRollback this_image(this_image_only_, only);
-    paint(mask, PaintMode::add, target);
+    paint(mask, PaintMode::add, target, makes_region);
   });
 }
 
@@ -187,9 +186,9 @@ Operation PaintController::operationOn(RegionId region, OperationKind kind) cons
   return operation;
 }
 
-void PaintController::paint(const cv::Mat& painted, PaintMode mode, RegionId target) {
+void PaintController::paint(const cv::Mat& painted, PaintMode mode, RegionId target, bool makes_region) {
   const bool adds = mode == PaintMode::add;
-  if (adds && is_new_region_) return makeRegion(painted);
+  if (makes_region) return makeRegion(painted);
   const cv::Mat own = regions_ == static_cast<int>(target.value);
   if (cv::countNonZero(painted & (adds ? cv::Mat(own == 0) : own)) == 0) {
     if (!adds) emit failed(tr("The selected region has none of these pixels."));
@@ -199,7 +198,7 @@ void PaintController::paint(const cv::Mat& painted, PaintMode mode, RegionId tar
   (adds ? operation.correction->added : operation.correction->removed) = PaintedPixels::of(painted);
   operation.correction->this_image_only = this_image_only_;
   const cv::Mat nothing = cv::Mat::zeros(painted.size(), CV_8UC1);
-  perform(std::move(operation),
+  perform(operation,
           {.region = target.value, .added = adds ? painted : nothing, .removed = adds ? nothing : painted});
 }
 
@@ -210,13 +209,13 @@ void PaintController::makeRegion(const cv::Mat& painted) {
   operation.correction->added = PaintedPixels::of(painted);
   operation.correction->removed = PaintedPixels::of(painted == 0);
   operation.correction->makes_region = true;
-  perform(std::move(operation), {.region = static_cast<std::uint32_t>(kNewRegion),
-                                 .added = painted,
-                                 .removed = cv::Mat::zeros(painted.size(), CV_8UC1)});
+  perform(operation, {.region = static_cast<std::uint32_t>(kNewRegion),
+                      .added = painted,
+                      .removed = cv::Mat::zeros(painted.size(), CV_8UC1)});
   emit newRegionPainted();
 }
 
-void PaintController::perform(Operation operation, const PaintedMask& shown) {
+void PaintController::perform(const Operation& operation, const PaintedMask& shown) {
   pending_.push_back({operation, {shown}});
   showPending();
   emit operationReady(operation);

@@ -76,11 +76,11 @@ class PaintController : public QObject {
   void step(ToolStep step);
   void finish();
   void fill(const cv::Point2f& at);
-  void snap(const cv::Mat& rough, RegionId target);
+  void snap(const cv::Mat& rough, RegionId target, bool makes_region);
   /// Makes an operation of painted pixels, CV_8UC1.
-  void paint(const cv::Mat& painted, PaintMode mode, RegionId target);
+  void paint(const cv::Mat& painted, PaintMode mode, RegionId target, bool makes_region);
   void makeRegion(const cv::Mat& painted);
-  void perform(Operation operation, const PaintedMask& shown);
+  void perform(const Operation& operation, const PaintedMask& shown);
   void showPending();
   [[nodiscard]] Operation operationOn(RegionId region, OperationKind kind) const;
   [[nodiscard]] RegionId targetAt(const cv::Point2f& at) const;

@@ -123,11 +123,13 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   layout->addWidget(buttons);
   const int bar = scroll->verticalScrollBar()->sizeHint().width();
-  // On a narrow screen it scrolls sideways, too.
-  scroll->setMinimumWidth(std::min(keys_and_meanings->sizeHint().width() + bar, kNarrowest_px));
+  const int whole = keys_and_meanings->sizeHint().width() + bar;
+  scroll->setMinimumWidth(std::min(whole, kNarrowest_px));  // on a narrow screen it scrolls sideways, too
   const QSize others = sizeHint() - scroll->sizeHint();
-  const int most = static_cast<int>(kMaxOfScreen * screen()->availableSize().height());
-  resize(sizeHint().width(), std::min(keys_and_meanings->sizeHint().height() + others.height() + 2, most));
+  const QSize available = screen()->availableSize();
+  const int most = static_cast<int>(kMaxOfScreen * available.height());
+  resize(std::min(std::max(sizeHint().width(), whole + others.width() + 2), available.width()),
+         std::min(keys_and_meanings->sizeHint().height() + others.height() + 2, most));
 }
 
 }  // namespace scantrove

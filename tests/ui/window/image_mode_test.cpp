@@ -189,6 +189,25 @@ TEST_F(ImageModeTest, ANewRegionIsSelected_WhenTheScanHasMadeIt) {
   EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{7}}) << "the next stroke extends it";
 }
 
+TEST_F(ImageModeTest, MagicEdgeMakesOneRegionForEachTick) {
+  zoomTo({320, 240});
+  QTest::keyClick(&canvas(), Qt::Key_W);
+  QTest::keyClick(&canvas(), Qt::Key_Insert);
+  QTest::mousePress(&canvas(), Qt::LeftButton, {}, on(280, 220));
+  for (const QPointF& corner : {QPointF(310, 220), QPointF(310, 250), QPointF(280, 250)})
+    moveTo(on(corner.x(), corner.y()));
+  QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, on(280, 220));
+  EXPECT_FALSE(tools().newRegionBox()->isChecked());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return worker_->edits.size() == 1; }, kPatience_ms));
+  EXPECT_TRUE(lastOperation()->correction->makes_region);
+  worker_->storeEdit({RegionId{7}, RegionId{5}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return selection().isSelected(RegionId{7}); }, kPatience_ms));
+  QTest::keyClick(&canvas(), Qt::Key_P);
+  stroke(on(300, 240), on(318, 240));
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  EXPECT_FALSE(lastOperation()->correction->makes_region) << "no second region unasked";
+}
+
 TEST_F(ImageModeTest, ResetMaskTakesPaintingsBack) {
   tools().resetAction()->trigger();
   EXPECT_TRUE(worker_->edits.empty()) << "nothing is selected";
