@@ -1,5 +1,6 @@
 #include "ui/panels/region_name_editor.h"
 
+#include <QAbstractItemView>
 #include <QCompleter>
 #include <QEvent>
 #include <QFocusEvent>
@@ -8,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QStringListModel>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -90,6 +92,12 @@ void RegionNameEditor::showClass(const QString& text) {
   else
     choice_->dismiss();
   place();
+  // The list of completions opens after this and would cover the answers.
+  if (choice_->isAsking()) QTimer::singleShot(0, this, &RegionNameEditor::uncoverAnswers);
+}
+
+void RegionNameEditor::uncoverAnswers() {
+  if (choice_->isAsking()) field_->completer()->popup()->hide();
 }
 
 void RegionNameEditor::place() {

@@ -48,6 +48,7 @@ class RegionNameEditor : public QFrame {
 
  private:
   void showClass(const QString& text);
+  void uncoverAnswers();
   void place();
   [[nodiscard]] TypedName::Answer answerOf(Qt::KeyboardModifiers modifiers) const;
   void finish(TypedName::Answer answer);

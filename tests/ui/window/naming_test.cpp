@@ -1,6 +1,8 @@
 // Naming a second thing of a class: the window asks whether it is the same one.
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
+#include <QCompleter>
 #include <QPushButton>
 
 #include "tests/ui/window/pointing_fixture.h"
@@ -47,6 +49,8 @@ TEST_F(NamingTest, NameIsCompletedToAClass) {
 TEST_F(NamingTest, ReturnNamesAnotherThing_WhenTheNameIsTaken) {
   type(QStringLiteral("red cup"));
   ASSERT_TRUE(choice()->isAsking());
+  QTest::qWait(50);
+  EXPECT_FALSE(nameField()->completer()->popup()->isVisible()) << "it would cover the answers";
   EXPECT_TRUE(choice()->button(TypedName::Answer::another)->text().contains(QStringLiteral("red cup 2")));
   QTest::keyClick(nameField(), Qt::Key_Return);
   ASSERT_NE(lastOperation(), nullptr);
